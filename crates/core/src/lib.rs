@@ -1,0 +1,9 @@
+//! Six-degree-of-freedom dynamics of free rigid bodies in matrix form, about any body-fixed frame.
+//!
+//! The equations are those of V. A. Konoplev, "Matrix forms of the equations of motion of a free rigid
+//! body" (1984). Every formula is written once, generic over [`scalar::Real`], and names its equation.
+//! Linear part first, always; SI units and radians; quaternions scalar first.
+
+pub mod algebra;
+pub mod scalar;
+pub mod screw;

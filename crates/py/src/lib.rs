@@ -1,0 +1,1 @@
+//! The Python face of freebody-core: converts and calls, no formula.
