@@ -5,5 +5,15 @@
 //! Linear part first, always; SI units and radians; quaternions scalar first.
 
 pub mod algebra;
+pub mod charts;
+pub mod evaluate;
+pub mod forces;
+pub mod generalized;
+pub mod inertia;
+pub mod integrators;
+pub mod lagrange;
+pub mod linearize;
+pub mod newton_euler;
+pub mod phase_space;
 pub mod scalar;
 pub mod screw;

@@ -86,21 +86,18 @@ impl<T: Real> Neg for Screw<T> {
 }
 
 /// S = diag(E, ⟨r⟩) of the point `r`: `S (x; x)` is the screw of the vector x through it. Konoplev (1.1)
-#[inline(always)]
 pub fn line_matrix<T: Real>(r: Vec3<T>) -> Mat6<T> {
     Mat6::diagonal(Mat3::identity(), Mat3::skew(r))
 }
 
 /// The wrench transform L = T \[C\] = \[\[C, 0\], \[⟨o⟩C, C\]\], world from body: `o` is the position of the body
 /// origin in world axes, `c` the rotation. Konoplev (1.2), (1.3)
-#[inline(always)]
 pub fn wrench_transform<T: Real>(o: Vec3<T>, c: Mat3<T>) -> Mat6<T> {
     let translation = Mat6::new(Mat3::identity(), Mat3::zero(), Mat3::skew(o), Mat3::identity());
     translation * Mat6::diagonal(c, c)
 }
 
 /// The inverse wrench transform L⁻¹ = \[\[Cᵀ, 0\], \[−Cᵀ⟨o⟩, Cᵀ\]\], body from world. Konoplev (1.4)
-#[inline(always)]
 pub fn wrench_transform_inverse<T: Real>(o: Vec3<T>, c: Mat3<T>) -> Mat6<T> {
     let ct = c.transpose();
     Mat6::new(ct, Mat3::zero(), -(ct * Mat3::skew(o)), ct)
@@ -120,7 +117,6 @@ pub fn body_from_world<T: Real>(o: Vec3<T>, c: Mat3<T>, s: Screw<T>) -> Screw<T>
 }
 
 /// Φ = L⁻¹ dL/dt = \[\[⟨ω⟩, 0\], \[⟨v⟩, ⟨ω⟩\]\] of a twist in body axes. Konoplev (1.9)
-#[inline(always)]
 pub fn force_cross<T: Real>(twist: Screw<T>) -> Mat6<T> {
     let w = Mat3::skew(twist.angular);
     Mat6::new(w, Mat3::zero(), Mat3::skew(twist.linear), w)

@@ -1,1 +1,18 @@
 //! The Python face of freebody-core: converts and calls, no formula.
+
+mod body;
+mod errors;
+mod forms;
+mod toml_spans;
+
+use pyo3::prelude::*;
+
+/// The compiled part of freebody.
+#[pymodule]
+fn _core(m: &Bound<'_, PyModule>) -> PyResult<()> {
+    m.add("__version__", env!("CARGO_PKG_VERSION"))?;
+    m.add_class::<body::RigidBody>()?;
+    m.add_function(wrap_pyfunction!(forms::form, m)?)?;
+    m.add_function(wrap_pyfunction!(toml_spans::toml_parse, m)?)?;
+    Ok(())
+}

@@ -33,12 +33,10 @@ impl<T: Real> Mat6<T> {
         Self::new(a, Mat3::zero(), Mat3::zero(), b)
     }
     /// The unit matrix.
-    #[inline(always)]
     pub fn identity() -> Self {
         Self::diagonal(Mat3::identity(), Mat3::identity())
     }
     /// The transpose.
-    #[inline(always)]
     pub fn transpose(self) -> Self {
         Self::new(self.ll.transpose(), self.al.transpose(), self.la.transpose(), self.aa.transpose())
     }
@@ -51,7 +49,6 @@ impl<T: Real> Mat6<T> {
         )
     }
     /// The inverse by blocks; `ll` and its Schur complement must be regular.
-    #[inline(always)]
     pub fn inverse(self) -> Self {
         let a = self.ll.inverse();
         let s = (self.aa - self.al * a * self.la).inverse();
@@ -60,14 +57,12 @@ impl<T: Real> Mat6<T> {
         Self::new(a + u * w, -u, -(s * w), s)
     }
     /// Reads 36 numbers, by rows.
-    #[inline(always)]
     pub fn from_slice(m: &[T]) -> Self {
         let row = |i: usize, j: usize| Vec3::from_slice(&m[6 * i + j..6 * i + j + 3]);
         let block = |i: usize, j: usize| Mat3::from_rows(row(i, j), row(i + 1, j), row(i + 2, j));
         Self::new(block(0, 0), block(0, 3), block(3, 0), block(3, 3))
     }
     /// Writes 36 numbers, by rows.
-    #[inline(always)]
     pub fn store(self, out: &mut [T]) {
         for i in 0..3 {
             self.ll.rows[i].store(&mut out[6 * i..]);
@@ -80,7 +75,6 @@ impl<T: Real> Mat6<T> {
 
 impl<T: Real> Add for Mat6<T> {
     type Output = Self;
-    #[inline(always)]
     fn add(self, o: Self) -> Self {
         Self::new(self.ll + o.ll, self.la + o.la, self.al + o.al, self.aa + o.aa)
     }
@@ -88,7 +82,6 @@ impl<T: Real> Add for Mat6<T> {
 
 impl<T: Real> Sub for Mat6<T> {
     type Output = Self;
-    #[inline(always)]
     fn sub(self, o: Self) -> Self {
         Self::new(self.ll - o.ll, self.la - o.la, self.al - o.al, self.aa - o.aa)
     }
@@ -96,7 +89,6 @@ impl<T: Real> Sub for Mat6<T> {
 
 impl<T: Real> Mul for Mat6<T> {
     type Output = Self;
-    #[inline(always)]
     fn mul(self, o: Self) -> Self {
         Self::new(
             self.ll * o.ll + self.la * o.al,

@@ -69,6 +69,7 @@ impl Real for Fused {
 
 impl Lane for Fused {
     const N: usize = 1;
+    type Single = Self;
     #[inline(always)]
     fn get(self, _: usize) -> f64 {
         self.0
@@ -76,6 +77,10 @@ impl Lane for Fused {
     #[inline(always)]
     fn with(self, _: usize, x: f64) -> Self {
         Self(x)
+    }
+    #[inline(always)]
+    fn all_le(a: Self, b: Self) -> bool {
+        a.0 <= b.0
     }
     #[inline(always)]
     fn from_lanes(mut f: impl FnMut(usize) -> f64) -> Self {

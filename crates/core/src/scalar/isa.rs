@@ -47,3 +47,55 @@ impl Isa {
         all
     }
 }
+
+/// Runs `$body` with `$L` bound to the type of one number whose results are those of one lane of `$isa`.
+///
+/// `$isa` must be in `Isa::available()`; the body enters it by `$L::call`.
+macro_rules! with_scalar {
+    ($isa:expr, $L:ident => $body:expr) => {
+        match $isa {
+            $crate::scalar::isa::Isa::Baseline => {
+                type $L = f64;
+                $body
+            }
+            _ => {
+                type $L = $crate::scalar::Fused;
+                $body
+            }
+        }
+    };
+}
+
+/// Runs `$body` with `$L` bound to the register type of `$isa`.
+///
+/// `$isa` must be in `Isa::available()`; the body enters it by `$L::call`.
+macro_rules! with_lanes {
+    ($isa:expr, $L:ident => $body:expr) => {
+        match $isa {
+            #[cfg(target_arch = "x86_64")]
+            $crate::scalar::isa::Isa::Avx512 => {
+                type $L = $crate::scalar::Avx512;
+                $body
+            }
+            #[cfg(target_arch = "x86_64")]
+            $crate::scalar::isa::Isa::Avx2 => {
+                type $L = $crate::scalar::Avx2;
+                $body
+            }
+            #[cfg(target_arch = "aarch64")]
+            $crate::scalar::isa::Isa::Neon => {
+                type $L = $crate::scalar::Neon;
+                $body
+            }
+            _ => {
+                #[cfg(target_arch = "x86_64")]
+                type $L = $crate::scalar::Sse2;
+                #[cfg(not(target_arch = "x86_64"))]
+                type $L = f64;
+                $body
+            }
+        }
+    };
+}
+
+pub(crate) use {with_lanes, with_scalar};

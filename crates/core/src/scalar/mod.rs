@@ -8,11 +8,20 @@ mod dual;
 mod fused;
 pub mod isa;
 mod lanes;
+mod registers;
+mod table;
+#[cfg(test)]
+mod tests;
 mod trigonometry;
 
 pub use dual::Dual;
 pub use fused::Fused;
 pub use lanes::Lane;
+#[cfg(target_arch = "aarch64")]
+pub use registers::Neon;
+#[cfg(target_arch = "x86_64")]
+pub use registers::{Avx2, Avx512, Sse2};
+pub use table::{Interpolation, Table, TableError};
 
 use std::fmt::Debug;
 use std::ops::{Add, Div, Mul, Neg, Sub};
@@ -71,6 +80,3 @@ pub trait Real:
         Self::lit(1.0)
     }
 }
-
-mod table;
-pub use table::{Interpolation, Table, TableError};

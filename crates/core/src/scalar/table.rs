@@ -26,7 +26,7 @@ pub enum TableError {
         /// Its index.
         index: usize,
     },
-    /// Sample `index` is not finite.
+    /// Sample `index` is not finite, or the line to it is too steep to have a slope.
     NotFinite {
         /// Its index.
         index: usize,
@@ -79,17 +79,19 @@ impl Table {
             }
             breaks.push(x[i]);
             value.push(y[i]);
-            let last = i + 1 == n;
             rate.push(match interpolation {
-                Interpolation::Linear if !last => (y[i + 1] - y[i]) / (x[i + 1] - x[i]),
+                Interpolation::Linear if i + 1 < n => (y[i + 1] - y[i]) / (x[i + 1] - x[i]),
                 _ => 0.0,
             });
+            if rate.last().is_some_and(|r| !r.is_finite()) {
+                return Err(TableError::NotFinite { index: i + 1 });
+            }
         }
         let zeros = vec![0.0; breaks.len()];
-        let flat = (rate.iter().any(|r| *r != 0.0)).then(|| {
+        let slope = rate.iter().any(|r| *r != 0.0).then(|| {
             Self(Arc::new(Pieces { breaks: breaks.clone(), value: rate.clone(), rate: zeros, slope: None }))
         });
-        Ok(Self(Arc::new(Pieces { breaks, value, rate, slope: flat })))
+        Ok(Self(Arc::new(Pieces { breaks, value, rate, slope })))
     }
 
     /// The derivative of this table.
@@ -114,9 +116,9 @@ impl Table {
     pub fn value(&self, x: f64) -> f64 {
         let p = &*self.0;
         let i = p.breaks.partition_point(|b| *b <= x).max(1) - 1;
-        // The first piece starts at -inf and is flat.
-        let offset = if i == 0 { 0.0 } else { x - p.breaks[i] };
-        if x.is_nan() { x } else { p.rate[i] * offset + p.value[i] }
+        // A flat piece may start or be asked at infinity, where zero times the distance is no number.
+        let rise = if p.rate[i] == 0.0 { 0.0 } else { p.rate[i] * (x - p.breaks[i]) };
+        if x.is_nan() { x } else { p.value[i] + rise }
     }
 
     /// The abscissae where the function or its slope jumps: an integrator should step onto them.

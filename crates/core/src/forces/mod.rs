@@ -1,0 +1,122 @@
+//! Force elements: each gives a wrench in body axes about the body origin.
+//!
+//! One element a file. Parameters are scalars of the kernel, so that they may differ per lane,
+//! carry derivatives or be symbols.
+
+mod damping;
+mod gravity;
+mod input;
+mod point_mass;
+mod tabulated;
+mod wrench;
+
+pub use damping::{Coefficients, LinearDamping, QuadraticDamping};
+pub use gravity::UniformGravity;
+pub use input::InputWrench;
+pub use point_mass::PointMassGravity;
+pub use tabulated::TabulatedWrench;
+pub use wrench::{Axes, ConstantWrench};
+
+use crate::algebra::{Mat3, Vec3};
+use crate::inertia::Inertia;
+use crate::scalar::Real;
+use crate::screw::Screw;
+
+/// What a force element can see.
+#[derive(Clone, Copy, Debug)]
+pub struct Situation<'a, T> {
+    /// Time, s.
+    pub time: T,
+    /// Position of the body origin, world axes, m.
+    pub position: Vec3<T>,
+    /// Rotation, world from body.
+    pub rotation: Mat3<T>,
+    /// Quasi-velocities of the body origin, body axes.
+    pub twist: Screw<T>,
+    /// The body that the force acts on.
+    pub inertia: &'a Inertia<T>,
+    /// All inputs u of the model.
+    pub inputs: &'a [T],
+}
+
+impl<T: Real> Situation<'_, T> {
+    /// Position of the mass centre, world axes, m.
+    #[inline(always)]
+    pub fn com_position(&self) -> Vec3<T> {
+        self.position + self.rotation.apply(self.inertia.com)
+    }
+}
+
+/// A force element.
+#[derive(Clone, Debug)]
+pub enum Force<T> {
+    /// See [`UniformGravity`].
+    UniformGravity(UniformGravity<T>),
+    /// See [`PointMassGravity`].
+    PointMassGravity(PointMassGravity<T>),
+    /// See [`ConstantWrench`].
+    ConstantWrench(ConstantWrench<T>),
+    /// See [`TabulatedWrench`].
+    TabulatedWrench(TabulatedWrench<T>),
+    /// See [`LinearDamping`].
+    LinearDamping(LinearDamping<T>),
+    /// See [`QuadraticDamping`].
+    QuadraticDamping(QuadraticDamping<T>),
+    /// See [`InputWrench`].
+    InputWrench(InputWrench<T>),
+}
+
+/// Calls the same method on whichever element it is.
+macro_rules! each {
+    ($self:expr, $f:ident => $call:expr) => {
+        match $self {
+            Force::UniformGravity($f) => $call,
+            Force::PointMassGravity($f) => $call,
+            Force::ConstantWrench($f) => $call,
+            Force::TabulatedWrench($f) => $call,
+            Force::LinearDamping($f) => $call,
+            Force::QuadraticDamping($f) => $call,
+            Force::InputWrench($f) => $call,
+        }
+    };
+}
+
+impl<T: Real> Force<T> {
+    /// The wrench in body axes about the body origin, N and N m.
+    #[inline(always)]
+    pub fn wrench(&self, s: &Situation<'_, T>) -> Screw<T> {
+        each!(self, f => f.wrench(s))
+    }
+
+    /// The potential energy, J, of an element that has one.
+    pub fn potential_energy(&self, s: &Situation<'_, T>) -> Option<T> {
+        match self {
+            Force::UniformGravity(f) => Some(f.potential_energy(s)),
+            Force::PointMassGravity(f) => Some(f.potential_energy(s)),
+            _ => None,
+        }
+    }
+
+    /// How many inputs of u the element reads.
+    pub fn input_count(&self) -> usize {
+        if matches!(self, Force::InputWrench(_)) { InputWrench::<T>::COUNT } else { 0 }
+    }
+
+    /// Times at which the wrench or its slope jumps: integrators step onto them.
+    pub fn breaks(&self) -> Vec<f64> {
+        if let Force::TabulatedWrench(f) = self { f.breaks() } else { Vec::new() }
+    }
+
+    /// The parameters passed through `f` one by one.
+    pub fn map<U: Real>(&self, f: &mut impl FnMut(T) -> U) -> Force<U> {
+        match self {
+            Force::UniformGravity(e) => Force::UniformGravity(e.map(f)),
+            Force::PointMassGravity(e) => Force::PointMassGravity(e.map(f)),
+            Force::ConstantWrench(e) => Force::ConstantWrench(e.map(f)),
+            Force::TabulatedWrench(e) => Force::TabulatedWrench(e.map(f)),
+            Force::LinearDamping(e) => Force::LinearDamping(e.map(f)),
+            Force::QuadraticDamping(e) => Force::QuadraticDamping(e.map(f)),
+            Force::InputWrench(e) => Force::InputWrench(e.map(f)),
+        }
+    }
+}

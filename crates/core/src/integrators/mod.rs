@@ -1,0 +1,78 @@
+//! Explicit Runge-Kutta integration of ordinary differential equations over lanes.
+//!
+//! Every lane of a [`Stepper`] is a trajectory with its own time, step size and acceptance; what a lane
+//! computes does not depend, to the last bit, on what its neighbours do. The caller drives:
+//! [`Stepper::attempt`] tries a step, [`Stepper::dense`] and [`Stepper::interpolate`] give the solution
+//! inside it, [`Stepper::commit`] accepts or rejects it; after that, and before the next attempt, lanes may
+//! be started and restarted. Nothing here knows of bodies.
+
+mod controller;
+mod dense;
+mod dop853;
+mod dp54;
+mod lanes;
+mod method;
+mod rk4;
+mod start;
+mod step;
+mod stepper;
+mod sums;
+#[cfg(test)]
+mod tests;
+
+pub use dop853::Dop853;
+pub use dp54::Dp54;
+pub use lanes::Lanes;
+pub use method::{Method, Row, Stage};
+pub use rk4::Rk4;
+pub use stepper::{Stepper, Trial, Verdict};
+
+/// A system of ordinary differential equations `dy/dt = f(t, y)`.
+pub trait System<T> {
+    /// The number of components of `y`.
+    fn size(&self) -> usize;
+    /// Writes `f(t, y)` to `dy`.
+    ///
+    /// Implementations outline their body through [`crate::scalar::Lane::call`].
+    fn derivative(&self, t: T, y: &[T], dy: &mut [T]);
+    /// Puts the end of a step back on the manifold where it belongs, a unit quaternion for one.
+    ///
+    /// The correction must be of the size of the local error: it is not in the error estimate.
+    #[inline(always)]
+    fn project(&self, _y: &mut [T]) {}
+    /// How the error of the state is weighed.
+    fn error_blocks(&self) -> &[Block];
+}
+
+/// A vector within the state whose error is measured by its length, however its axes are turned.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Block {
+    /// Index of the first component.
+    pub start: usize,
+    /// Number of components.
+    pub len: usize,
+    /// What its error is compared with.
+    pub scale: ErrorScale,
+}
+
+/// What the error of a [`Block`] is compared with.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum ErrorScale {
+    /// The length of the block: `absolute + relative · length`, taken as a root of squares.
+    Relative,
+    /// One, as for angles and unit quaternions: `relative`.
+    Unit,
+}
+
+/// The error allowed to one step.
+///
+/// With `e_b` the estimated error of block `b` and `y0_b`, `y1_b` its values at both ends of the step,
+/// a step is accepted when the mean over the blocks of `|e_b|² / s_b²` is at most one, where
+/// `s_b² = absolute² + relative² max(|y0_b|², |y1_b|²)`, or `relative²` for [`ErrorScale::Unit`].
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Tolerance {
+    /// Relative to the length of a block.
+    pub relative: f64,
+    /// In the unit of a block.
+    pub absolute: f64,
+}
