@@ -9,7 +9,7 @@ use crate::scalar::{Dual, Lane, Real};
 const ON_STACK: usize = 16;
 
 /// Directions a lane holds in one pass of a Jacobian: enough for 13 states and 6 inputs in eight lanes.
-const DIRECTIONS: usize = 3;
+const DIRECTIONS: usize = 1;
 
 /// f and its Jacobians over one choice of scalars.
 trait Evaluate: Send + Sync {

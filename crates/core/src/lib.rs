@@ -17,3 +17,4 @@ pub mod newton_euler;
 pub mod phase_space;
 pub mod scalar;
 pub mod screw;
+pub mod simulate;

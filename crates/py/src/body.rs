@@ -7,7 +7,7 @@ use numpy::{PyArray1, PyArray2, PyArrayMethods};
 use pyo3::prelude::*;
 
 /// The core of a rigid body; `freebody.RigidBody` adds the ways to describe one.
-#[pyclass(subclass, frozen, skip_from_py_object, module = "freebody._core")]
+#[pyclass(subclass, frozen, module = "freebody._core")]
 pub struct RigidBody {
     pub inertia: Inertia<f64>,
     /// How errors and results call the body.

@@ -17,7 +17,7 @@ impl Lanes {
     }
     /// Lane `l` alone.
     #[inline(always)]
-    pub fn one(l: usize) -> Self {
+    pub const fn one(l: usize) -> Self {
         Self(1 << l)
     }
     /// Whether lane `l` is in the set.

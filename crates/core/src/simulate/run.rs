@@ -1,0 +1,246 @@
+//! The loop that drives one trajectory.
+
+use super::motion::Motion;
+use super::{ChartChange, Ending, Run, Task, in_quaternions};
+use crate::integrators::{Lanes, Method, Stepper, Verdict};
+use crate::phase_space::{Dynamics, FreeBody};
+use crate::scalar::Lane;
+
+/// A run in angles goes on in quaternions when it comes this near to the singularity of its angles, rad:
+/// there the rates of the angles are about seven times those of the body.
+const LEAVE: f64 = 0.15;
+/// It comes back to its angles at this distance, rad; the gap keeps it from going to and fro.
+const COME_BACK: f64 = 0.3;
+/// Steps between two reports of progress.
+const REPORT: u64 = 1024;
+
+/// Simulates over the one-number type `T` by the method `M`.
+pub fn run<T: Lane, M: Method>(
+    body: &FreeBody<f64>,
+    task: &Task<'_>,
+    progress: &mut dyn FnMut(f64) -> bool,
+) -> Run {
+    let free = in_quaternions(body);
+    let mut driver = Driver::<T, M> {
+        task,
+        models: [body, &free],
+        motions: [Motion::new(body, task.inputs), Motion::new(&free, task.inputs)],
+        stepper: Stepper::new(task.tolerance),
+        current: 0,
+        last: task.x0.to_vec(),
+        run: Run {
+            times: Vec::new(),
+            states: Vec::new(),
+            ending: Ending::ReachedEnd,
+            end_time: task.span[0],
+            end_state: Vec::new(),
+            chart_changes: Vec::new(),
+            steps: 0,
+            rejected: 0,
+            evaluations: 0,
+        },
+        saved: 0,
+    };
+    driver.start();
+    driver.run.ending = driver.go(progress);
+    driver.finish()
+}
+
+/// A run on its way: the model as asked for and the same in quaternions, one of them at work.
+struct Driver<'a, T, M> {
+    task: &'a Task<'a>,
+    models: [&'a FreeBody<f64>; 2],
+    motions: [Motion<'a, T>; 2],
+    stepper: Stepper<T, M>,
+    /// Which of the two is at work: 0 as asked for, 1 in quaternions.
+    current: usize,
+    /// The state in the chart asked for, after the last step.
+    last: Vec<f64>,
+    run: Run,
+    /// How many of the wanted times are done.
+    saved: usize,
+}
+
+const ONE: Lanes = Lanes::one(0);
+
+impl<T: Lane, M: Method> Driver<'_, T, M> {
+    fn start(&mut self) {
+        let [t0, t1] = self.task.span;
+        let near = self.asked_distance() < LEAVE;
+        self.current = usize::from(near);
+        let y = self.state_for(self.current);
+        self.stepper.start(&self.motions[self.current], ONE, T::lit(t0), &y, T::lit(t1), self.task.step);
+        if near {
+            self.note_change(t0, true);
+        }
+        let wanted = self.task.save_at.is_none_or(|s| s.first() == Some(&t0));
+        if wanted {
+            let x = self.last.clone();
+            self.save(t0, &x);
+            self.saved = 1;
+        }
+    }
+
+    fn go(&mut self, progress: &mut dyn FnMut(f64) -> bool) -> Ending {
+        let [t0, t1] = self.task.span;
+        let forces = self.models[0].forces.iter().flat_map(|f| f.breaks());
+        let mut limits: Vec<f64> =
+            forces.chain(self.task.inputs.breaks()).filter(|t| *t > t0 && *t < t1).collect();
+        limits.push(t1);
+        limits.sort_by(f64::total_cmp);
+        limits.dedup();
+        for limit in limits {
+            while self.time() < limit {
+                let done = self.run.steps + self.run.rejected;
+                if done >= self.task.max_steps {
+                    return Ending::StepLimit;
+                }
+                if done % REPORT == REPORT - 1 && !progress(self.time()) {
+                    return Ending::Interrupted;
+                }
+                if let Some(ending) = self.step(limit) {
+                    return ending;
+                }
+            }
+            if limit < t1 {
+                self.stepper.refresh(&self.motions[self.current], ONE);
+            }
+        }
+        Ending::ReachedEnd
+    }
+
+    /// One trial step; how the run ended if it cannot go on.
+    fn step(&mut self, limit: f64) -> Option<Ending> {
+        let trial = self.stepper.attempt(&self.motions[self.current], T::lit(limit));
+        let angles = self.current == 0;
+        if !trial.stopped.is_empty() {
+            if angles && self.asked_distance() < COME_BACK {
+                self.change_chart(true);
+                return None;
+            }
+            return Some(match self.stepper.verdict(0) {
+                Verdict::StepTooSmall => Ending::StepTooSmall,
+                _ => Ending::NonFinite { force: self.culprit() },
+            });
+        }
+        if trial.accepted.is_empty() {
+            self.run.rejected += 1;
+        } else if angles && self.trial_nears_singularity() {
+            // The step is not taken: it is tried again in quaternions.
+            self.run.rejected += 1;
+            self.change_chart(true);
+            return None;
+        } else {
+            self.run.steps += 1;
+            self.save_inside();
+        }
+        self.stepper.commit(&self.motions[self.current]);
+        if !trial.accepted.is_empty() {
+            let y: Vec<f64> = self.stepper.y().iter().map(|v| v.get(0)).collect();
+            self.last = self.as_asked(&y);
+            if self.task.save_at.is_none() {
+                let x = self.last.clone();
+                self.save(self.time(), &x);
+            }
+            if self.current == 1 && self.asked_distance() > COME_BACK {
+                self.change_chart(false);
+            }
+        }
+        None
+    }
+
+    fn time(&self) -> f64 {
+        self.stepper.t().get(0)
+    }
+
+    /// Distance of the last state to the singularity of the chart asked for; far where it has none.
+    fn asked_distance(&self) -> f64 {
+        self.models[0].singularity_distance(&self.last).unwrap_or(f64::INFINITY)
+    }
+
+    /// Whether the trial step ends near the singularity, or may have passed it.
+    fn trial_nears_singularity(&self) -> bool {
+        let y: Vec<f64> = self.stepper.trial_y().iter().map(|v| v.get(0)).collect();
+        let Some(distance) = self.models[0].singularity_distance(&y) else { return false };
+        // The second angle cannot pass the singularity without moving by both distances.
+        distance < LEAVE || (y[4] - self.last[4]).abs() >= distance + self.asked_distance()
+    }
+
+    /// The last state in the chart of either model.
+    fn state_for(&self, which: usize) -> Vec<T> {
+        let model = self.models[which];
+        if which == 0 {
+            return self.last.iter().map(|v| T::lit(*v)).collect();
+        }
+        let n = <FreeBody<f64> as Dynamics<f64>>::state_size(model);
+        let mut y = vec![0.0; n];
+        model.write_state(&self.models[0].rigid_state(&self.last), &vec![0.0; n], &mut y);
+        y.iter().map(|v| T::lit(*v)).collect()
+    }
+
+    /// A state of the model at work, in the chart asked for.
+    fn as_asked(&self, y: &[f64]) -> Vec<f64> {
+        if self.current == 0 {
+            return y.to_vec();
+        }
+        let mut x = self.last.clone();
+        self.models[0].write_state(&self.models[1].rigid_state(y), &self.last, &mut x);
+        x
+    }
+
+    fn change_chart(&mut self, left: bool) {
+        self.current = usize::from(left);
+        let (t, y) = (self.stepper.t(), self.state_for(self.current));
+        self.stepper.restart(&self.motions[self.current], ONE, t, &y);
+        self.note_change(t.get(0), left);
+    }
+
+    fn note_change(&mut self, time: f64, left: bool) {
+        let distance = self.asked_distance();
+        self.run.chart_changes.push(ChartChange { time, left, distance });
+    }
+
+    /// Saves the wanted times inside the accepted trial step.
+    fn save_inside(&mut self) {
+        let Some(wanted) = self.task.save_at else { return };
+        let end = self.stepper.trial_t().get(0);
+        if wanted.get(self.saved).is_none_or(|t| *t > end) {
+            return;
+        }
+        self.stepper.dense(&self.motions[self.current]);
+        let model = self.models[self.current];
+        let n = <FreeBody<f64> as Dynamics<f64>>::state_size(model);
+        let mut y = vec![0.0; n];
+        while let Some(t) = wanted.get(self.saved).filter(|t| **t <= end) {
+            self.stepper.interpolate_lane(0, *t, &mut y);
+            Dynamics::<f64>::project(model, &mut y);
+            let x = self.as_asked(&y);
+            self.save(*t, &x);
+            self.saved += 1;
+        }
+    }
+
+    fn save(&mut self, t: f64, x: &[f64]) {
+        self.run.times.push(t);
+        self.run.states.extend_from_slice(x);
+    }
+
+    /// The force whose wrench is not finite at the last state, if there is one.
+    fn culprit(&self) -> Option<usize> {
+        let state = self.models[0].rigid_state(&self.last);
+        let t = self.time();
+        let wrenches = self.models[0].wrenches(t, &state, &self.task.inputs.at(t));
+        wrenches.iter().position(|w| {
+            let mut six = [0.0; 6];
+            w.store(&mut six);
+            six.iter().any(|v| !v.is_finite())
+        })
+    }
+
+    fn finish(mut self) -> Run {
+        self.run.end_time = self.time();
+        self.run.evaluations = self.stepper.evaluations();
+        self.run.end_state = self.last;
+        self.run
+    }
+}

@@ -1,0 +1,312 @@
+//! `Model`: f(x, u, t) and its Jacobians at single states, and what can be read off states.
+
+use crate::arguments::vector;
+use crate::body::RigidBody;
+use crate::errors;
+use crate::forces::Force;
+use freebody_core::algebra::Vec3;
+use freebody_core::charts::Sequence;
+use freebody_core::evaluate::Evaluator;
+use freebody_core::forces::Force as Element;
+use freebody_core::phase_space::{Chart, Dynamics, Form, FreeBody, RigidState};
+use freebody_core::screw::Screw;
+use numpy::{PyArray1, PyArray2, PyArrayMethods, PyReadonlyArray1, PyReadonlyArray2, PyUntypedArrayMethods};
+use pyo3::prelude::*;
+
+/// The core of a model; `freebody.Model` adds names and checks.
+#[pyclass(subclass, frozen, module = "freebody._core")]
+pub struct Model {
+    pub free_body: FreeBody<f64>,
+    evaluator: Evaluator,
+    force_names: Vec<String>,
+    states: usize,
+    inputs: usize,
+    /// The inputs when none are given.
+    zeros: Vec<f64>,
+}
+
+type Array1<'py> = Bound<'py, PyArray1<f64>>;
+type Array2<'py> = Bound<'py, PyArray2<f64>>;
+
+impl Model {
+    /// Zeros when no input is given.
+    fn input<'py>(&self, u: Option<&Bound<'py, PyAny>>) -> PyResult<Option<PyReadonlyArray1<'py, f64>>> {
+        u.map(|u| vector("u", u, self.inputs)).transpose()
+    }
+
+    /// Why a derivative is not finite at finite arguments.
+    fn diagnose(&self, py: Python<'_>, t: f64, x: &[f64], u: &[f64]) -> PyErr {
+        if let (Some(distance), Chart::Angles(sequence)) =
+            (self.free_body.singularity_distance(x), self.free_body.chart)
+            && distance < 1e-9
+        {
+            return errors::singular_chart(
+                py,
+                format!(
+                    "at t = {t} s the second angle of '{}' is {} rad, where the angle rates do not exist; use another \
+                     sequence or attitude=\"quaternion\"",
+                    sequence.name(),
+                    x[4]
+                ),
+            );
+        }
+        let state = self.free_body.rigid_state(x);
+        let finite = |s: &Screw<f64>| {
+            let mut six = [0.0; 6];
+            s.store(&mut six);
+            six.iter().all(|v| v.is_finite())
+        };
+        let wrenches = self.free_body.wrenches(t, &state, u);
+        let source = match wrenches.iter().position(|w| !finite(w)) {
+            Some(i) => format!("the wrench of force '{}' is not finite", self.force_names[i]),
+            None => "the motion itself is too large".to_owned(),
+        };
+        errors::non_finite(py, format!("the derivative is not finite at t = {t} s, x = {x:?}: {source}"))
+    }
+
+    fn rows<'a>(&self, x: &'a PyReadonlyArray2<'_, f64>) -> PyResult<Vec<&'a [f64]>> {
+        assert_eq!(x.shape()[1], self.states, "states have {} columns", self.states);
+        Ok(x.as_slice()?.chunks(self.states).collect())
+    }
+}
+
+#[pymethods]
+impl Model {
+    #[new]
+    fn new(
+        body: &RigidBody,
+        forces: Vec<Force>,
+        force_names: Vec<String>,
+        sequence: Option<&str>,
+        generalized: bool,
+    ) -> PyResult<Self> {
+        let mut elements: Vec<Element<f64>> = forces.into_iter().map(|f| f.0).collect();
+        let mut first = 0;
+        for element in &mut elements {
+            if let Element::InputWrench(wrench) = element {
+                wrench.first = first;
+            }
+            first += element.input_count();
+        }
+        let chart = match sequence.and_then(Sequence::parse) {
+            Some(s) => Chart::Angles(s),
+            None => Chart::Quaternion,
+        };
+        let form = if generalized { Form::Generalized } else { Form::QuasiVelocity };
+        let free_body = FreeBody { inertia: body.inertia, forces: elements, chart, form };
+        let evaluator = Evaluator::new(&free_body);
+        let states = Dynamics::<f64>::state_size(&free_body);
+        Ok(Self { free_body, evaluator, force_names, states, inputs: first, zeros: vec![0.0; first] })
+    }
+
+    /// How many numbers a state has.
+    #[getter]
+    fn n_states(&self) -> usize {
+        self.states
+    }
+
+    /// How many inputs the model has.
+    #[getter]
+    fn n_inputs(&self) -> usize {
+        self.inputs
+    }
+
+    /// The state derivative f(x, u, t). Konoplev (3.2).
+    ///
+    /// Parameters
+    /// ----------
+    /// t
+    ///     Time, s.
+    /// x
+    ///     State, (n_states,), as named by `state_names`.
+    /// u
+    ///     Inputs, (n_inputs,), as named by `input_names`; zero when omitted.
+    /// out
+    ///     Where to write the result, (n_states,) float64, contiguous; a new array when omitted.
+    ///
+    /// Raises
+    /// ------
+    /// InputError
+    ///     A wrong argument.
+    /// SingularChartError, NonFiniteError
+    ///     The derivative does not exist there.
+    #[pyo3(signature = (t, x, u=None, out=None))]
+    fn derivative<'py>(
+        &self,
+        py: Python<'py>,
+        t: &Bound<'py, PyAny>,
+        x: &Bound<'py, PyAny>,
+        u: Option<&Bound<'py, PyAny>>,
+        out: Option<&Bound<'py, PyAny>>,
+    ) -> PyResult<Array1<'py>> {
+        let t = number("t", t)?;
+        let x = vector("x", x, self.states)?;
+        let u = self.input(u)?;
+        let (x, u) = (x.as_slice()?, self.input_slice(u.as_ref())?);
+        let mut rate = [0.0; 16];
+        let rate = &mut rate[..self.states];
+        self.evaluator.derivative(t, x, u, rate);
+        if !rate.iter().all(|v| v.is_finite()) {
+            return Err(self.diagnose(py, t, x, u));
+        }
+        let Some(out) = out else { return Ok(PyArray1::from_slice(py, rate)) };
+        let wrong = || {
+            let n = self.states;
+            errors::input(
+                py,
+                format!("out: must be a writable contiguous float64 array of shape ({n},), not x or u"),
+            )
+        };
+        let array = out.cast::<PyArray1<f64>>().map_err(|_| wrong())?;
+        let mut write = array.try_readwrite().map_err(|_| wrong())?;
+        let to = write.as_slice_mut().map_err(|_| wrong())?;
+        if to.len() != rate.len() {
+            return Err(wrong());
+        }
+        to.copy_from_slice(rate);
+        Ok(array.clone())
+    }
+
+    /// The exact Jacobians A = ∂f/∂x, (n_states, n_states), and B = ∂f/∂u, (n_states, n_inputs). Konoplev (3.2).
+    ///
+    /// Arguments and errors as of `derivative`.
+    #[pyo3(signature = (t, x, u=None))]
+    fn jacobian<'py>(
+        &self,
+        py: Python<'py>,
+        t: &Bound<'py, PyAny>,
+        x: &Bound<'py, PyAny>,
+        u: Option<&Bound<'py, PyAny>>,
+    ) -> PyResult<(Array2<'py>, Array2<'py>)> {
+        let t = number("t", t)?;
+        let x = vector("x", x, self.states)?;
+        let u = self.input(u)?;
+        let (x, u) = (x.as_slice()?, self.input_slice(u.as_ref())?);
+        let (n, m) = (self.states, self.inputs);
+        let (mut a, mut b) = (vec![0.0; n * n], vec![0.0; n * m]);
+        self.evaluator.jacobian(t, x, u, &mut a, &mut b);
+        if !a.iter().chain(&b).all(|v| v.is_finite()) {
+            return Err(self.diagnose(py, t, x, u));
+        }
+        Ok((PyArray1::from_vec(py, a).reshape([n, n])?, PyArray1::from_vec(py, b).reshape([n, m])?))
+    }
+
+    /// The sum of all wrenches, (6,) N and N m, in body axes about the body origin.
+    ///
+    /// Arguments as of `derivative`.
+    #[pyo3(signature = (t, x, u=None))]
+    fn wrench<'py>(
+        &self,
+        py: Python<'py>,
+        t: &Bound<'py, PyAny>,
+        x: &Bound<'py, PyAny>,
+        u: Option<&Bound<'py, PyAny>>,
+    ) -> PyResult<Array1<'py>> {
+        let t = number("t", t)?;
+        let x = vector("x", x, self.states)?;
+        let u = self.input(u)?;
+        let (x, u) = (x.as_slice()?, self.input_slice(u.as_ref())?);
+        let state = self.free_body.rigid_state(x);
+        let sum = self.free_body.wrenches(t, &state, u).into_iter().fold(Screw::zero(), |a, b| a + b);
+        let mut six = [0.0; 6];
+        sum.store(&mut six);
+        if !six.iter().all(|v| v.is_finite()) {
+            return Err(self.diagnose(py, t, x, u));
+        }
+        Ok(PyArray1::from_slice(py, &six))
+    }
+
+    /// Position (n, 3), quaternion (n, 4) and twist (n, 6) of states (n, n_states).
+    fn motion<'py>(
+        &self,
+        py: Python<'py>,
+        x: PyReadonlyArray2<'py, f64>,
+    ) -> PyResult<(Array2<'py>, Array2<'py>, Array2<'py>)> {
+        let rows = self.rows(&x)?;
+        let n = rows.len();
+        let mut parts = (Vec::new(), Vec::new(), Vec::new());
+        for row in rows {
+            let s = self.free_body.rigid_state(row);
+            parts.0.extend(s.position.to_array());
+            parts.1.extend(s.quaternion);
+            parts.2.extend(s.twist.linear.to_array());
+            parts.2.extend(s.twist.angular.to_array());
+        }
+        let array = |v: Vec<f64>, k: usize| PyArray1::from_vec(py, v).reshape([n, k]);
+        Ok((array(parts.0, 3)?, array(parts.1, 4)?, array(parts.2, 6)?))
+    }
+
+    /// The state of a motion; of its many angle triples the one nearest to `angles`.
+    fn state_of<'py>(
+        &self,
+        py: Python<'py>,
+        position: [f64; 3],
+        quaternion: [f64; 4],
+        twist: [f64; 6],
+        angles: [f64; 3],
+    ) -> Array1<'py> {
+        let state =
+            RigidState { position: Vec3::from_array(position), quaternion, twist: Screw::from_slice(&twist) };
+        let mut x = vec![0.0; self.states];
+        let mut like = vec![0.0; self.states];
+        if matches!(self.free_body.chart, Chart::Angles(_)) {
+            like[3..6].copy_from_slice(&angles);
+        }
+        self.free_body.write_state(&state, &like, &mut x);
+        PyArray1::from_vec(py, x)
+    }
+
+    /// Kinetic and potential energy (n,) of states at times.
+    fn energies<'py>(
+        &self,
+        py: Python<'py>,
+        t: PyReadonlyArray1<'py, f64>,
+        x: PyReadonlyArray2<'py, f64>,
+    ) -> PyResult<(Array1<'py>, Array1<'py>)> {
+        let rows = self.rows(&x)?;
+        let at = |(t, row): (&f64, &&[f64])| self.free_body.energies(*t, &self.free_body.rigid_state(row));
+        let (kinetic, potential): (Vec<f64>, Vec<f64>) = t.as_slice()?.iter().zip(&rows).map(at).unzip();
+        Ok((PyArray1::from_vec(py, kinetic), PyArray1::from_vec(py, potential)))
+    }
+
+    /// Momentum (n, 6) about the world origin, world axes, of states.
+    fn momenta<'py>(&self, py: Python<'py>, x: PyReadonlyArray2<'py, f64>) -> PyResult<Array2<'py>> {
+        let rows = self.rows(&x)?;
+        let mut out = vec![0.0; 6 * rows.len()];
+        for (row, o) in rows.iter().zip(out.chunks_mut(6)) {
+            self.free_body.momentum_world(&self.free_body.rigid_state(row)).store(o);
+        }
+        PyArray1::from_vec(py, out).reshape([rows.len(), 6])
+    }
+
+    /// Distance (n,) rad of states to the singularity of their angles; None without angles.
+    fn singularity_distances<'py>(
+        &self,
+        py: Python<'py>,
+        x: PyReadonlyArray2<'py, f64>,
+    ) -> PyResult<Option<Array1<'py>>> {
+        let rows = self.rows(&x)?;
+        let all: Option<Vec<f64>> = rows.iter().map(|r| self.free_body.singularity_distance(r)).collect();
+        Ok(all.filter(|a| !a.is_empty()).map(|a| PyArray1::from_vec(py, a)))
+    }
+}
+
+impl Model {
+    /// The numbers of u, or zeros.
+    fn input_slice<'a>(&'a self, u: Option<&'a PyReadonlyArray1<'_, f64>>) -> PyResult<&'a [f64]> {
+        match u {
+            Some(u) => Ok(u.as_slice()?),
+            None => Ok(&self.zeros),
+        }
+    }
+}
+
+/// One finite number.
+fn number(name: &str, value: &Bound<'_, PyAny>) -> PyResult<f64> {
+    if let Ok(x) = value.extract::<f64>()
+        && x.is_finite()
+    {
+        return Ok(x);
+    }
+    value.py().import("freebody._check")?.call_method1("number", (name, value))?.extract()
+}

@@ -1,0 +1,5 @@
+"""`python -m freebody`."""
+
+from freebody.cli import main
+
+main()

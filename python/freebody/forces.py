@@ -1,0 +1,205 @@
+"""Force elements. Each gives a wrench about the body origin o1; linear part first, SI units.
+
+`axes` says in which axes components are given, "body" or "world"; `at` is the point of application in body
+axes from o1, (3,) m.
+"""
+
+from __future__ import annotations
+
+from abc import ABC, abstractmethod
+from typing import Literal
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from freebody import _check, _core
+from freebody._check import Array
+from freebody.errors import InputError
+from freebody.tables import Interpolation, table_times
+
+__all__ = [
+    "ConstantWrench",
+    "Force",
+    "InputWrench",
+    "LinearDamping",
+    "PointMassGravity",
+    "QuadraticDamping",
+    "TabulatedWrench",
+    "UniformGravity",
+]
+
+ORIGIN = (0.0, 0.0, 0.0)
+Axes = Literal["body", "world"]
+
+
+class Force(ABC):
+    """A force element: a name, and how the core sees it."""
+
+    def __init__(self, name: str | None) -> None:
+        self.name = type(self).__name__ if name is None else _check.label("name", name)
+
+    @abstractmethod
+    def core(self) -> _core.Force:
+        """The element of the core."""
+
+    def __repr__(self) -> str:
+        return f"<{type(self).__name__} {self.name!r}>"
+
+
+class UniformGravity(Force):
+    """Gravity of one acceleration everywhere, acting at the mass centre. Konoplev (1.12).
+
+    Parameters
+    ----------
+    acceleration
+        m/s².
+    direction
+        Where things fall, world axes; scaled to length one. The default is the third axis: it points down.
+    """
+
+    def __init__(
+        self,
+        acceleration: float = 9.80665,
+        direction: ArrayLike = (0.0, 0.0, 1.0),
+        *,
+        name: str | None = None,
+    ) -> None:
+        super().__init__(name)
+        self.acceleration = _check.number("acceleration", acceleration)
+        down = _check.vector("direction", direction, 3)
+        length = float(np.linalg.norm(down))
+        if length == 0.0:
+            raise InputError("direction: got the zero vector; give the direction in which things fall")
+        self.direction = down / length
+
+    def core(self) -> _core.Force:
+        return _core.Force.uniform_gravity(self.acceleration * self.direction)
+
+
+class PointMassGravity(Force):
+    """Attraction by a point mass or a sphere, at the mass centre, with the torque of its gradient.
+
+    Parameters
+    ----------
+    mu
+        Gravitational parameter GM, m³/s².
+    center
+        Position of the attracting centre, world axes, (3,) m.
+    gradient_torque
+        Whether the torque 3μ/r⁵ (r × J_c r) acts (Hughes, Spacecraft Attitude Dynamics, 1986, section 8.1).
+    """
+
+    def __init__(
+        self, mu: float, center: ArrayLike = ORIGIN, gradient_torque: bool = True, *, name: str | None = None
+    ) -> None:
+        super().__init__(name)
+        self.mu = _check.number("mu", mu)
+        self.center = _check.vector("center", center, 3)
+        self.gradient_torque = bool(gradient_torque)
+
+    def core(self) -> _core.Force:
+        return _core.Force.point_mass_gravity(self.mu, self.center, self.gradient_torque)
+
+
+class ConstantWrench(Force):
+    """A force (3,) N and a moment (3,) N m, constant in body or world axes. Konoplev (1.1)."""
+
+    def __init__(
+        self,
+        force: ArrayLike = ORIGIN,
+        moment: ArrayLike = ORIGIN,
+        axes: Axes = "body",
+        at: ArrayLike = ORIGIN,
+        *,
+        name: str | None = None,
+    ) -> None:
+        super().__init__(name)
+        self.force = _check.vector("force", force, 3)
+        self.moment = _check.vector("moment", moment, 3)
+        self.axes = _check.choice("axes", axes, ("body", "world"))
+        self.at = _check.vector("at", at, 3)
+
+    def core(self) -> _core.Force:
+        return _core.Force.constant_wrench(self.force, self.moment, self.axes == "world", self.at)
+
+
+class TabulatedWrench(Force):
+    """A force and a moment tabulated over time.
+
+    Parameters
+    ----------
+    times
+        (n,) s, rising; a time that stands twice makes a jump there, with the later row from then on.
+    force, moment
+        (n, 3) N and N m; zero when omitted.
+    interpolation
+        "linear" between the rows, or "hold": each row until the next. The first and the last row hold outside.
+        Integration steps onto every time of the table.
+    """
+
+    def __init__(
+        self,
+        times: ArrayLike,
+        force: ArrayLike | None = None,
+        moment: ArrayLike | None = None,
+        axes: Axes = "body",
+        at: ArrayLike = ORIGIN,
+        interpolation: Interpolation = "linear",
+        *,
+        name: str | None = None,
+    ) -> None:
+        super().__init__(name)
+        self.times = table_times(times)
+        n = len(self.times)
+        if force is None and moment is None:
+            raise InputError("force, moment: neither came; give at least one table of shape (n, 3)")
+        self.force = np.zeros((n, 3)) if force is None else _check.vector("force", force, n, 3)
+        self.moment = np.zeros((n, 3)) if moment is None else _check.vector("moment", moment, n, 3)
+        self.axes = _check.choice("axes", axes, ("body", "world"))
+        self.at = _check.vector("at", at, 3)
+        self.interpolation = _check.choice("interpolation", interpolation, ("linear", "hold"))
+
+    def core(self) -> _core.Force:
+        columns = np.ascontiguousarray(np.hstack([self.force, self.moment]).T)
+        hold = self.interpolation == "hold"
+        return _core.Force.tabulated_wrench(self.times, columns, hold, self.axes == "world", self.at)
+
+
+class _Damping(Force):
+    """What linear and quadratic damping share: their coefficients."""
+
+    def __init__(self, coefficients: ArrayLike, *, name: str | None = None) -> None:
+        super().__init__(name)
+        shape = np.shape(coefficients)
+        self.coefficients = _check.vector(
+            "coefficients", coefficients, *((6, 6) if len(shape) == 2 else (6,))
+        )
+
+
+class LinearDamping(_Damping):
+    """F = -D V, V the twist of o1 in body axes; D (6, 6), or (6,) for its diagonal, SI by blocks."""
+
+    def core(self) -> _core.Force:
+        return _core.Force.damping(self.coefficients.ravel(), False)
+
+
+class QuadraticDamping(_Damping):
+    """F = -D (|V| V), each component of the twist times its own size; D (6, 6) or (6,).
+
+    Fossen, Handbook of Marine Craft Hydrodynamics and Motion Control (2011), section 6.4.
+    """
+
+    def core(self) -> _core.Force:
+        return _core.Force.damping(self.coefficients.ravel(), True)
+
+
+class InputWrench(Force):
+    """Six inputs of u: force_x, force_y, force_z (N), moment_x, moment_y, moment_z (N m). Konoplev (3.2)."""
+
+    def __init__(self, axes: Axes = "body", at: ArrayLike = ORIGIN, *, name: str | None = None) -> None:
+        super().__init__(name)
+        self.axes = _check.choice("axes", axes, ("body", "world"))
+        self.at = _check.vector("at", at, 3)
+
+    def core(self) -> _core.Force:
+        return _core.Force.input_wrench(self.axes == "world", self.at)

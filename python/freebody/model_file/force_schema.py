@@ -1,0 +1,125 @@
+"""The keys of [[forces]]: one section for each kind of force element."""
+
+from __future__ import annotations
+
+from typing import Annotated, Literal
+
+import numpy as np
+from numpy.typing import NDArray
+from pydantic import Field, model_validator
+
+from .fields import Choice, Quantity, Section
+
+__all__ = ["AnyForce", "TabulatedWrench"]
+
+Array = NDArray[np.float64]
+Axes = Annotated[str, Choice("body", "world")]
+Point = Annotated[Array, Quantity("m", (3,))]
+Damping = Annotated[Array, Quantity("", (6,), (6, 6))]
+
+_NAME = Field(default=None, description="how messages name this force")
+_AXES = Field(default=None, description="axes of force and moment: body or world")
+_AT = Field(default=None, description="point of application from the origin o1, body axes")
+
+
+class UniformGravity(Section):
+    """The same acceleration everywhere, Konoplev (1.12)."""
+
+    type: Literal["uniform_gravity"]
+    name: str | None = _NAME
+    acceleration: Annotated[float | None, Quantity("m/s^2")] = Field(default=None, description="its size")
+    direction: Annotated[Array | None, Quantity("", (3,))] = Field(
+        default=None, description="down, world axes"
+    )
+
+
+class PointMassGravity(Section):
+    """The attraction of a point mass."""
+
+    type: Literal["point_mass_gravity"]
+    name: str | None = _NAME
+    mu: Annotated[float, Quantity("m^3/s^2")] = Field(description="the gravitational parameter G M")
+    center: Annotated[Array | None, Quantity("m", (3,))] = Field(
+        default=None, description="where it is, world axes"
+    )
+    gradient_torque: bool | None = Field(
+        default=None, description="whether the gravity gradient turns the body"
+    )
+
+
+class ConstantWrench(Section):
+    """A force and a moment, constant in the axes they are given in."""
+
+    type: Literal["constant_wrench"]
+    name: str | None = _NAME
+    force: Annotated[Array | None, Quantity("N", (3,))] = Field(default=None, description="the force")
+    moment: Annotated[Array | None, Quantity("N m", (3,))] = Field(default=None, description="the moment")
+    axes: Axes | None = _AXES
+    at: Point | None = _AT
+
+
+class TabulatedWrench(Section):
+    """A force and a moment by time, from the file itself or from a CSV file beside it."""
+
+    type: Literal["tabulated_wrench"]
+    name: str | None = _NAME
+    times: Annotated[Array | None, Quantity("s", (None,))] = Field(
+        default=None, description="increasing times"
+    )
+    force: Annotated[Array | None, Quantity("N", (None, 3))] = Field(
+        default=None, description="a row for each time"
+    )
+    moment: Annotated[Array | None, Quantity("N m", (None, 3))] = Field(
+        default=None, description="a row for each time"
+    )
+    csv: str | None = Field(default=None, description="path of a table instead, relative to the model file")
+    axes: Axes | None = _AXES
+    at: Point | None = _AT
+    interpolation: Annotated[str | None, Choice("linear", "hold")] = Field(
+        default=None, description="between two times"
+    )
+
+    @model_validator(mode="after")
+    def _check(self) -> TabulatedWrench:
+        self.exactly_one("times", "csv")
+        if self.csv is not None:
+            self.at_most_one("csv", "force")
+            self.at_most_one("csv", "moment")
+        return self
+
+
+class LinearDamping(Section):
+    """F = -D V."""
+
+    type: Literal["linear_damping"]
+    name: str | None = _NAME
+    coefficients: Damping = Field(description="D in SI units, its diagonal or all of it, linear part first")
+
+
+class QuadraticDamping(Section):
+    """F = -D (|V| V)."""
+
+    type: Literal["quadratic_damping"]
+    name: str | None = _NAME
+    coefficients: Damping = Field(description="D in SI units, its diagonal or all of it, linear part first")
+
+
+class InputWrench(Section):
+    """Six inputs, a force and a moment, that the caller of `simulate` gives."""
+
+    type: Literal["input_wrench"]
+    name: str | None = _NAME
+    axes: Axes | None = _AXES
+    at: Point | None = _AT
+
+
+AnyForce = Annotated[
+    UniformGravity
+    | PointMassGravity
+    | ConstantWrench
+    | TabulatedWrench
+    | LinearDamping
+    | QuadraticDamping
+    | InputWrench,
+    Field(discriminator="type"),
+]

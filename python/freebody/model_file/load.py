@@ -1,0 +1,91 @@
+"""Reads a model file."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from os import PathLike
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from freebody._core import toml_parse
+from freebody.model import Model
+from freebody.simulation import Trajectory
+from numpy.typing import NDArray
+from pydantic import ValidationError
+
+from freebody.errors import ModelFileError
+
+from .build import build_initial_state, build_model
+from .problems import Source
+from .schema import Header, ModelFile, Output
+
+__all__ = ["LoadedModel", "load_model"]
+
+
+@dataclass(frozen=True, eq=False)
+class LoadedModel:
+    """A model file, checked and built: a model, where it starts, how it is simulated, what is kept.
+
+    Attributes
+    ----------
+    path, text
+        Where the file stands and what it says.
+    header
+        Its name, description and sources.
+    model, x0, t_span
+        The arguments of the simulation, SI.
+    options
+        The keyword arguments of `Model.simulate` that the file gives.
+    output
+        The material points whose paths are kept, and the data format.
+    """
+
+    path: Path
+    text: str
+    header: Header
+    model: Model
+    x0: NDArray[np.float64]
+    t_span: tuple[float, float]
+    options: dict[str, Any]
+    output: Output
+
+    def simulate(self, *, progress: Callable[[float], None] | None = None) -> Trajectory:
+        """Runs the file's simulation."""
+        return self.model.simulate(self.x0, self.t_span, progress=progress, **self.options)
+
+
+def load_model(path: str | PathLike[str]) -> LoadedModel:
+    """Reads, checks and builds the model file at `path` (docs/model-file.md).
+
+    Raises `ModelFileError`, which names file, line and key, what came and what is allowed.
+    """
+    path = Path(path)
+    text = _read(path)
+    try:
+        data, lines = toml_parse(text)
+    except ValueError as error:
+        message, line = error.args
+        raise ModelFileError(f"not valid TOML: {message}", file=str(path), line=line) from None
+    source = Source(path, data, lines)
+    try:
+        spec = ModelFile.model_validate(data)
+    except ValidationError as error:
+        raise source.errors(error) from None
+    model = build_model(spec, source)
+    x0 = build_initial_state(spec.initial, model, source)
+    options = spec.simulation.given("start", "end", "attitude", "form") | spec.output.given(
+        "points", "format"
+    )
+    t_span = (spec.simulation.start, spec.simulation.end)
+    return LoadedModel(path, text, spec.model, model, x0, t_span, options, spec.output)
+
+
+def _read(path: Path) -> str:
+    try:
+        return path.read_text(encoding="utf-8")
+    except OSError as error:
+        raise ModelFileError(f"cannot be read: {error.strerror}", file=str(path)) from None
+    except UnicodeDecodeError as error:
+        raise ModelFileError(f"is not UTF-8 text: {error.reason}", file=str(path)) from None

@@ -1,0 +1,81 @@
+"""How a run ended, and what happened on its way."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Literal
+
+from freebody._check import Array
+
+__all__ = ["ChartChange", "Conserved", "Outcome"]
+
+Status = Literal["reached_end", "step_too_small", "step_limit", "non_finite"]
+
+
+@dataclass(frozen=True)
+class Outcome:
+    """How a run ended.
+
+    Attributes
+    ----------
+    status
+        "reached_end"; "step_too_small": no step meets the tolerance; "step_limit": max_steps were done;
+        "non_finite": the derivative is not a number.
+    time, state
+        The last ones that the run reached.
+    message
+        The same in a sentence, with what to change.
+    force
+        The name of the force that was not finite, if one was.
+    """
+
+    status: Status
+    time: float
+    state: Array
+    message: str
+    force: str | None = None
+
+    @property
+    def ok(self) -> bool:
+        """Whether the run reached its end."""
+        return self.status == "reached_end"
+
+
+@dataclass(frozen=True)
+class ChartChange:
+    """A run in angles went on in another chart.
+
+    Attributes
+    ----------
+    time
+        When, s.
+    from_chart, to_chart
+        "quaternion" or an angle sequence.
+    distance
+        Of the angles asked for to their singularity, rad.
+    """
+
+    time: float
+    from_chart: str
+    to_chart: str
+    distance: float
+
+
+@dataclass(frozen=True)
+class Conserved:
+    """A quantity that a model keeps.
+
+    Attributes
+    ----------
+    name, unit
+        Which one.
+    reference
+        Its size, to which the drift relates.
+    drift
+        The largest deviation from its value at the start, relative to the reference.
+    """
+
+    name: str
+    unit: str
+    reference: float
+    drift: float

@@ -1,0 +1,191 @@
+"""A run: samples of a motion with everything that can be read off them."""
+
+from __future__ import annotations
+
+from functools import cached_property
+from typing import TYPE_CHECKING
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from freebody import _check, forms
+from freebody._check import Array
+from freebody.errors import InputError
+from freebody.simulation.conservation import conserved
+from freebody.simulation.outcome import ChartChange, Conserved, Outcome
+
+if TYPE_CHECKING:
+    import xarray
+
+    from freebody.model import Model
+
+__all__ = ["Trajectory"]
+
+
+class Trajectory:
+    """The samples of one run, n of them.
+
+    Attributes
+    ----------
+    model
+        What was simulated.
+    t, x, u
+        Times (n,) s, states (n, n_states) and inputs (n, n_inputs), as `model.state_names` and so on name them.
+    outcome
+        How the run ended.
+    chart_changes
+        When a run in angles went on in another chart, and when it came back.
+    steps, rejected_steps, evaluations
+        What the integration took.
+    wall_time
+        s.
+    """
+
+    def __init__(
+        self,
+        model: Model,
+        samples: tuple[Array, Array, Array],
+        outcome: Outcome,
+        chart_changes: tuple[ChartChange, ...],
+        counts: tuple[int, int, int],
+        wall_time: float,
+    ) -> None:
+        self.model = model
+        self.t, self.x, self.u = samples
+        self.outcome, self.chart_changes = outcome, chart_changes
+        self.steps, self.rejected_steps, self.evaluations = counts
+        self.wall_time = wall_time
+
+    @property
+    def ok(self) -> bool:
+        """Whether the run reached its end."""
+        return self.outcome.ok
+
+    @property
+    def state_names(self) -> tuple[str, ...]:
+        """Names of the columns of `x`."""
+        return self.model.state_names
+
+    @property
+    def state_units(self) -> tuple[str, ...]:
+        """Units of the columns of `x`."""
+        return self.model.state_units
+
+    @cached_property
+    def _motion(self) -> tuple[Array, Array, Array]:
+        position, quaternion, twist = self.model.motion(self.x)
+        # A quaternion and its opposite are one attitude; neighbours are kept on one side.
+        flips = np.where(np.sum(quaternion[1:] * quaternion[:-1], axis=1) < 0.0, -1.0, 1.0)
+        quaternion[1:] *= np.cumprod(flips)[:, None]
+        return position, quaternion, twist
+
+    @property
+    def position_world(self) -> Array:
+        """Position of the body origin, world axes, (n, 3) m."""
+        return self._motion[0]
+
+    @property
+    def quaternion(self) -> Array:
+        """Attitude as unit quaternions (w, x, y, z), world from body, (n, 4); continuous in sign."""
+        return self._motion[1]
+
+    @cached_property
+    def world_from_body(self) -> Array:
+        """Attitude as rotation matrices, (n, 3, 3)."""
+        return forms.rotation_from_quaternion(self.quaternion)
+
+    def angles(self, sequence: str | None = None) -> Array:
+        """Attitude as angles of a sequence, (n, 3) rad; by default that of the model.
+
+        In the model's own sequence these are the angles of the state, which go on through a singularity. In any
+        other the second angle lies in [0, π] (proper Euler) or [-π/2, π/2] (Tait-Bryan).
+        """
+        own = self.model.attitude
+        if sequence is None and own == "quaternion":
+            raise InputError(f"sequence: give one of {', '.join(_check.SEQUENCES)}; the model has no angles")
+        if sequence in (None, own):
+            return self.x[:, 3:6]
+        return forms.angles_from_rotation(self.world_from_body, _check.sequence(str(sequence)))
+
+    @property
+    def velocity_body(self) -> Array:
+        """Velocity of the body origin, body axes, (n, 3) m/s."""
+        return self._motion[2][:, :3]
+
+    @property
+    def angular_velocity_body(self) -> Array:
+        """Angular velocity, body axes, (n, 3) rad/s."""
+        return self._motion[2][:, 3:]
+
+    @cached_property
+    def velocity_world(self) -> Array:
+        """Velocity of the body origin, world axes, (n, 3) m/s."""
+        return self._to_world(self.velocity_body)
+
+    @cached_property
+    def angular_velocity_world(self) -> Array:
+        """Angular velocity, world axes, (n, 3) rad/s."""
+        return self._to_world(self.angular_velocity_body)
+
+    def point(self, point: ArrayLike) -> Array:
+        """Path of the material point at `point` (3,) m, body axes from the body origin: (n, 3) m, world axes."""
+        return self.position_world + self.world_from_body @ _check.vector("point", point, 3)
+
+    @cached_property
+    def com_position_world(self) -> Array:
+        """Position of the mass centre, world axes, (n, 3) m."""
+        return self.point(self.model.body.com)
+
+    @cached_property
+    def com_velocity_world(self) -> Array:
+        """Velocity of the mass centre, world axes, (n, 3) m/s."""
+        swing = np.cross(self.angular_velocity_body, self.model.body.com)
+        return self._to_world(self.velocity_body + swing)
+
+    @cached_property
+    def _energies(self) -> tuple[Array, Array]:
+        return self.model.energies(self.t, self.x)
+
+    @property
+    def kinetic_energy(self) -> Array:
+        """½ VᵀΘV, (n,) J."""
+        return self._energies[0]
+
+    @property
+    def potential_energy(self) -> Array:
+        """Of the forces that have a potential, (n,) J."""
+        return self._energies[1]
+
+    @property
+    def energy(self) -> Array:
+        """Kinetic and potential energy, (n,) J."""
+        return self.kinetic_energy + self.potential_energy
+
+    @cached_property
+    def momentum_world(self) -> Array:
+        """Momentum Z⁰ = LΘV about the world origin, world axes, (n, 6) kg m/s and kg m²/s. Konoplev (1.5)."""
+        return self.model.momenta(self.x)
+
+    @cached_property
+    def singularity_distance(self) -> Array | None:
+        """Distance of the second angle to its nearest singular value, (n,) rad; None without angles."""
+        return self.model.singularity_distances(self.x)
+
+    def conserved(self) -> list[Conserved]:
+        """The quantities that this model keeps, with how well the run kept them."""
+        return conserved(self)
+
+    def to_xarray(self) -> xarray.Dataset:
+        """State, inputs and what is read off them as a labelled dataset, with names and units (extra `data`)."""
+        from freebody.results import to_dataset  # noqa: PLC0415  (an extra: only who asks needs xarray)
+
+        return to_dataset(self)
+
+    def _to_world(self, vectors: Array) -> Array:
+        return np.einsum("nij,nj->ni", self.world_from_body, vectors)
+
+    def __len__(self) -> int:
+        return len(self.t)
+
+    def __repr__(self) -> str:
+        return f"<Trajectory of {self.model.name!r}: {len(self)} samples, {self.outcome.status}>"

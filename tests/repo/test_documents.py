@@ -1,0 +1,68 @@
+"""The documents say what is so: commands, code, names, paths and links."""
+
+import re
+import subprocess
+import sys
+
+import pytest
+
+import freebody as fb
+from repo.repository import ROOT, blocks, documents, relative
+
+README = ROOT / "README.md"
+TARGETS = set(re.findall(r"^([a-z]+):", (ROOT / "Makefile").read_text(), re.MULTILINE))
+PAGES = pytest.mark.parametrize("page", documents(), ids=relative)
+
+
+@PAGES
+def test_every_make_command_is_a_target(page):
+    commands = re.findall(r"^(?:\$ )?make ([a-z]+)|`make ([a-z]+)", page.read_text(), re.MULTILINE)
+    assert {a or b for a, b in commands} <= TARGETS
+
+
+@PAGES
+def test_every_subcommand_exists(page):
+    listed = subprocess.run(
+        [sys.executable, "-m", "freebody", "--help"], capture_output=True, text=True, check=True
+    ).stdout
+    for command in re.findall(r"(?:^|`)(?:\$ )?freebody ([a-z]+)", page.read_text(), re.MULTILINE):
+        assert re.search(rf"\b{command}\b", listed), f"freebody has no command {command}"
+
+
+@PAGES
+def test_python_blocks_run(page, tmp_path, monkeypatch):
+    """The blocks of a page are one script."""
+    monkeypatch.chdir(tmp_path)
+    exec(compile("\n".join(blocks(page, "python")), str(page), "exec"), {})
+
+
+@PAGES
+def test_every_name_of_the_library_exists(page):
+    owners = {"fb": fb, "forms": fb.forms, **{name: getattr(fb, name) for name in fb.__all__}}
+    code = " ".join(re.findall(r"`([^`\n]+)`", page.read_text()) + blocks(page, "python"))
+    for owner, name in re.findall(r"(?<![\w./])([A-Za-z]\w*)\.([A-Za-z]\w*)", code):
+        if owner in owners:
+            fields = getattr(owners[owner], "__annotations__", {})
+            assert hasattr(owners[owner], name) or name in fields, f"{owner}.{name}"
+
+
+@PAGES
+def test_internal_links_resolve(page):
+    for target in re.findall(r"\]\((?!https?:)([^)#\s]*)[^)]*\)", page.read_text()):
+        assert (page.parent / target).exists(), target
+
+
+def test_every_path_in_the_architectures_tree_exists():
+    (tree,) = blocks(ROOT / "ARCHITECTURE.md", "text")
+    folders: list[str] = []
+    for line in tree.splitlines():
+        match = re.match(r"( *)(\S+)", line)
+        assert match, line
+        depth = len(match[1]) // 2
+        folders[depth:] = [match[2]]
+        assert ROOT.joinpath(*folders).exists(), line
+
+
+def test_the_readme_opens_with_the_two_commands():
+    commands = [line for block in blocks(README, "sh") for line in block.splitlines()]
+    assert [line.split("#")[0].strip() for line in commands[:2]] == ["make demo", "make test"]
