@@ -41,6 +41,7 @@ format: $(VENV)/.dev ## format Rust and Python
 	$(BIN)/ruff check --fix
 
 bench: setup ## measure the speeds that the documents state
+	cargo bench --locked --quiet -p freebody-core --bench derivative
 	$(BIN)/python bench/derivative.py
 
 docs: setup ## build the documentation into build/docs

@@ -6,6 +6,7 @@ import pytest
 
 import freebody as fb
 from freebody import forms
+from freebody.model import Form
 from freebody.verify.point_masses import Cloud, Motion
 
 from . import reference as ref
@@ -30,7 +31,7 @@ def test_3_1_phase_velocity(cloud: Cloud, motion: Motion, angles: str) -> None:
 
 @pytest.mark.parametrize("form", ["quasi_velocity", "generalized"])
 @pytest.mark.parametrize("attitude", [*forms.SEQUENCES, "quaternion"])
-def test_3_2_linearization(cloud: Cloud, rng: np.random.Generator, attitude: str, form: str) -> None:
+def test_3_2_linearization(cloud: Cloud, rng: np.random.Generator, attitude: str, form: Form) -> None:
     damping = rng.normal(size=(6, 6))
     forces = [
         fb.UniformGravity(),

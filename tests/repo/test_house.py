@@ -27,6 +27,15 @@ def test_one_subject_a_file():
     assert {path: lines for path, lines in sizes.items() if lines > 300} == {}
 
 
+def test_the_package_imports_modules_from_its_root_and_no_names():
+    """import-linter takes an import of the compiled `_core` for one of the root, and lets both pass."""
+    package = ROOT / "python/freebody"
+    modules = {path.stem for path in package.iterdir()}
+    for source in package.rglob("*.py"):
+        for names in re.findall(r"^\s*from freebody import ([\w, ]+)", source.read_text(), re.MULTILINE):
+            assert {re.split(r" as ", name.strip())[0] for name in names.split(",")} <= modules, source
+
+
 def test_one_version_and_the_changelog_knows_it():
     cargo = tomllib.loads((ROOT / "Cargo.toml").read_text())
     version = cargo["workspace"]["package"]["version"]

@@ -37,14 +37,22 @@ pub fn quasi_coordinate_acceleration<T: Real>(
     body.inverse_matrix().apply(wrench) - phi_pi(body, twist).apply(twist)
 }
 
-/// V* of (1.8), solved by blocks at the mass centre: the form that runs. Konoplev (1.8)
-///
-/// ω* = Jc⁻¹(M − r_c × f − ω × Jc ω) and v* = f/m − ω × (v + ω × r_c) + r_c × ω*.
+/// V* of (1.8), solved by blocks at the mass centre. Konoplev (1.8)
 #[inline(always)]
 pub fn acceleration<T: Real>(body: &Inertia<T>, twist: Screw<T>, wrench: Screw<T>) -> Screw<T> {
+    let (f, m) = (wrench.linear, wrench.angular);
+    acceleration_about_com(body, twist, Screw::new(f, m - body.com.cross(f)))
+}
+
+/// V* of (1.8) for a wrench about the mass centre: the form that runs. Konoplev (1.8)
+///
+/// ω* = Jc⁻¹(M_c − ω × Jc ω) and v* = f/m − ω × (v + ω × r_c) + r_c × ω*. A weight has no moment about the
+/// mass centre; about the origin its moment would cancel only to the rounding of m g |r_c|.
+#[inline(always)]
+pub fn acceleration_about_com<T: Real>(body: &Inertia<T>, twist: Screw<T>, wrench: Screw<T>) -> Screw<T> {
     let (v, w) = (twist.linear, twist.angular);
     let gyroscopic = w.cross(body.about_com.apply(w));
-    let rate = body.solve(Screw::new(wrench.linear, wrench.angular - gyroscopic));
+    let rate = body.solve_about_com(Screw::new(wrench.linear, wrench.angular - gyroscopic));
     let com_velocity = v + w.cross(body.com);
     Screw::new(rate.linear - w.cross(com_velocity), rate.angular)
 }

@@ -4,7 +4,7 @@ use crate::body::RigidBody;
 use crate::errors;
 use freebody_core::algebra::{Mat3, Vec3, normalized, quaternion_from_rotation, rotation_from_quaternion};
 use freebody_core::charts::{AngleChart, Sequence, angular_velocity_skew, quaternion_rate};
-use freebody_core::forces::{Situation, UniformGravity};
+use freebody_core::forces::{Force, Situation, UniformGravity};
 use freebody_core::generalized::{Generalized, rotation_acceleration};
 use freebody_core::inertia::Inertia;
 use freebody_core::lagrange::{
@@ -109,7 +109,7 @@ fn of_body(name: &str, body: Inertia<f64>) -> Option<Entry> {
                 inertia: &body,
                 inputs: &[],
             };
-            UniformGravity { acceleration: v3(a[1]) }.wrench(&s).store(out);
+            Force::UniformGravity(UniformGravity { acceleration: v3(a[1]) }).about_origin(&s).store(out);
         }),
         "kinetic_energy" => entry(&[6], 1, move |a, out| out[0] = body.kinetic_energy(v6(a[0]))),
         "inertial_parameters" => entry(&[], 10, move |_, out| out.copy_from_slice(&body.parameters())),

@@ -8,7 +8,7 @@ from freebody import _core
 from freebody._check import Argument, Array
 from freebody.errors import InputError, NonFiniteError, SingularChartError
 
-# Nearer than this the second angle cannot be told from the singular one in double precision.
+# Nearer than this, or than one step of the angle's own doubles, it cannot be told from the singular one.
 _SINGULAR = 1e-15
 
 
@@ -22,9 +22,10 @@ def checked_body(body: _core.RigidBody) -> _core.RigidBody:
 def regular(alpha: Argument, angles: str) -> None:
     """Refuse angles at the singularity of their chart, where M0 has no inverse."""
     distance = evaluate("singularity_distance", (), alpha, angles=angles)
-    if np.min(distance) < _SINGULAR:
-        index = np.unravel_index(np.argmin(distance), np.shape(distance))
-        degrees = np.rad2deg(alpha.array[index][1])
+    second = alpha.array[..., 1]
+    singular = distance < np.maximum(_SINGULAR, np.spacing(np.abs(second)))
+    if singular.any():
+        degrees = np.rad2deg(second[singular].flat[0])
         raise SingularChartError(
             f"{alpha.name}: the second angle of {angles!r} is {degrees:.12g} deg, where the first and third "
             "axes align and the angle rates do not exist; use another sequence or a quaternion"

@@ -102,7 +102,7 @@ def angles_from_rotation(rotation: ArrayLike, angles: str) -> Array:
     """The angles (..., 3) of a rotation matrix in one sequence.
 
     The second lies in [-pi/2, pi/2] for Tait-Bryan and in [0, pi] for proper Euler sequences. At the
-    singularity only the sum or difference of the first and third exists; the third is then zero.
+    singularity only the sum or difference of the first and third exists; the first is then zero.
     """
     return evaluate(
         "angles_from_rotation", (3,), rotation_argument("rotation", rotation), angles=sequence(angles)

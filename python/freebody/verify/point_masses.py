@@ -11,8 +11,9 @@ from dataclasses import dataclass
 from functools import cached_property
 
 import numpy as np
-from freebody.body import RigidBody
 from numpy.typing import NDArray
+
+from freebody.body import RigidBody
 
 Array = NDArray[np.float64]
 

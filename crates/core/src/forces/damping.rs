@@ -47,6 +47,12 @@ fn absolute<T: Real>(a: Vec3<T>) -> Vec3<T> {
     Vec3::new(a.x.abs(), a.y.abs(), a.z.abs())
 }
 
+/// A wrench about the body origin, taken about the mass centre.
+#[inline(always)]
+fn shifted<T: Real>(wrench: Screw<T>, s: &Situation<'_, T>) -> Screw<T> {
+    Screw::new(wrench.linear, wrench.angular - s.inertia.com.cross(wrench.linear))
+}
+
 /// F = −D V, with V the twist of the body origin in body axes.
 #[derive(Clone, Copy, Debug)]
 pub struct LinearDamping<T> {
@@ -55,10 +61,11 @@ pub struct LinearDamping<T> {
 }
 
 impl<T: Real> LinearDamping<T> {
-    /// The wrench about the body origin.
+    /// The wrench about the mass centre.
     #[inline(always)]
-    pub fn wrench(&self, s: &Situation<'_, T>) -> Screw<T> {
-        -self.coefficients.apply(s.twist)
+    pub fn about_com(&self, s: &Situation<'_, T>) -> Screw<T> {
+        let given = self.coefficients.apply(s.twist);
+        shifted(-given, s)
     }
 
     /// The parameters passed through `f`.
@@ -76,11 +83,12 @@ pub struct QuadraticDamping<T> {
 }
 
 impl<T: Real> QuadraticDamping<T> {
-    /// The wrench about the body origin.
+    /// The wrench about the mass centre.
     #[inline(always)]
-    pub fn wrench(&self, s: &Situation<'_, T>) -> Screw<T> {
+    pub fn about_com(&self, s: &Situation<'_, T>) -> Screw<T> {
         let (v, w) = (s.twist.linear, s.twist.angular);
-        -self.coefficients.apply(Screw::new(times(absolute(v), v), times(absolute(w), w)))
+        let given = self.coefficients.apply(Screw::new(times(absolute(v), v), times(absolute(w), w)));
+        shifted(-given, s)
     }
 
     /// The parameters passed through `f`.

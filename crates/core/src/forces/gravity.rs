@@ -13,11 +13,11 @@ pub struct UniformGravity<T> {
 }
 
 impl<T: Real> UniformGravity<T> {
-    /// The weight, acting at the mass centre. Konoplev (1.12)
+    /// The weight \[Cᵀ\]λ, which has no moment about the mass centre. Konoplev (1.12)
     #[inline(always)]
-    pub fn wrench(&self, s: &Situation<'_, T>) -> Screw<T> {
+    pub fn about_com(&self, s: &Situation<'_, T>) -> Screw<T> {
         let weight = s.rotation.transpose_apply(self.acceleration).scale(s.inertia.mass);
-        Screw::at_point(weight, s.inertia.com)
+        Screw::new(weight, Vec3::zero())
     }
 
     /// −m g · r_c, zero with the mass centre at the world origin.

@@ -20,10 +20,10 @@ impl<T: Real> InputWrench<T> {
     /// How many inputs the element reads.
     pub const COUNT: usize = 6;
 
-    /// The wrench about the body origin.
+    /// The wrench about the mass centre.
     #[inline(always)]
-    pub fn wrench(&self, s: &Situation<'_, T>) -> Screw<T> {
-        self.axes.to_body(Screw::from_slice(&s.inputs[self.first..]), self.at, s)
+    pub fn about_com(&self, s: &Situation<'_, T>) -> Screw<T> {
+        self.axes.about_com(Screw::from_slice(&s.inputs[self.first..]), self.at, s)
     }
 
     /// The parameters passed through `f`.

@@ -1,4 +1,4 @@
-//! Force elements: each gives a wrench in body axes about the body origin.
+//! Force elements: each gives a wrench in body axes.
 //!
 //! One element a file. Parameters are scalars of the kernel, so that they may differ per lane,
 //! carry derivatives or be symbols.
@@ -82,10 +82,16 @@ macro_rules! each {
 }
 
 impl<T: Real> Force<T> {
-    /// The wrench in body axes about the body origin, N and N m.
+    /// The wrench in body axes about the mass centre, N and N m: what the kernel sums.
     #[inline(always)]
-    pub fn wrench(&self, s: &Situation<'_, T>) -> Screw<T> {
-        each!(self, f => f.wrench(s))
+    pub fn about_com(&self, s: &Situation<'_, T>) -> Screw<T> {
+        each!(self, f => f.about_com(s))
+    }
+
+    /// The wrench in body axes about the body origin, N and N m.
+    pub fn about_origin(&self, s: &Situation<'_, T>) -> Screw<T> {
+        let w = self.about_com(s);
+        Screw::new(w.linear, w.angular + s.inertia.com.cross(w.linear))
     }
 
     /// The potential energy, J, of an element that has one.

@@ -21,18 +21,18 @@ pub struct PointMassGravity<T> {
 }
 
 impl<T: Real> PointMassGravity<T> {
-    /// The attraction −μ m r/r³ at the mass centre, and the gradient torque.
+    /// The attraction −μ m r/r³ and the gradient torque.
     #[inline(always)]
-    pub fn wrench(&self, s: &Situation<'_, T>) -> Screw<T> {
+    pub fn about_com(&self, s: &Situation<'_, T>) -> Screw<T> {
         let r = s.rotation.transpose_apply(s.com_position() - self.center);
         let inverse_square = T::one() / r.dot(r);
         let strength = self.mu * inverse_square * inverse_square.sqrt();
-        let pull = Screw::at_point(r.scale(-(strength * s.inertia.mass)), s.inertia.com);
+        let pull = r.scale(-(strength * s.inertia.mass));
         if !self.gradient_torque {
-            return pull;
+            return Screw::new(pull, Vec3::zero());
         }
         let torque = r.cross(s.inertia.about_com.apply(r)).scale(T::lit(3.0) * strength * inverse_square);
-        Screw::new(pull.linear, pull.angular + torque)
+        Screw::new(pull, torque)
     }
 
     /// −μ m / r, zero at infinity; the small part that belongs to the gradient is left out as its force is.

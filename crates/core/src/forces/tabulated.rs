@@ -17,16 +17,16 @@ pub struct TabulatedWrench<T> {
 }
 
 impl<T: Real> TabulatedWrench<T> {
-    /// The wrench about the body origin.
+    /// The wrench about the mass centre.
     #[inline(always)]
-    pub fn wrench(&self, s: &Situation<'_, T>) -> Screw<T> {
+    pub fn about_com(&self, s: &Situation<'_, T>) -> Screw<T> {
         let mut six = [T::zero(); 6];
         for (x, table) in six.iter_mut().zip(&self.components) {
             if let Some(table) = table {
                 *x = s.time.lookup(table);
             }
         }
-        self.axes.to_body(Screw::from_slice(&six), self.at, s)
+        self.axes.about_com(Screw::from_slice(&six), self.at, s)
     }
 
     /// Times at which a component or its slope jumps.

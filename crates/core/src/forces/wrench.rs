@@ -15,9 +15,9 @@ pub enum Axes {
 }
 
 impl Axes {
-    /// The wrench in body axes about the body origin of a force and a moment given in these axes at a point.
+    /// The wrench in body axes about the mass centre of a force and a moment given in these axes at a point.
     #[inline(always)]
-    pub fn to_body<T: Real>(self, given: Screw<T>, at: Vec3<T>, s: &Situation<'_, T>) -> Screw<T> {
+    pub fn about_com<T: Real>(self, given: Screw<T>, at: Vec3<T>, s: &Situation<'_, T>) -> Screw<T> {
         let local = match self {
             Axes::Body => given,
             Axes::World => Screw::new(
@@ -25,7 +25,8 @@ impl Axes {
                 s.rotation.transpose_apply(given.angular),
             ),
         };
-        Screw::new(local.linear, local.angular + at.cross(local.linear))
+        let arm = at - s.inertia.com;
+        Screw::new(local.linear, local.angular + arm.cross(local.linear))
     }
 }
 
@@ -41,10 +42,10 @@ pub struct ConstantWrench<T> {
 }
 
 impl<T: Real> ConstantWrench<T> {
-    /// The wrench about the body origin.
+    /// The wrench about the mass centre.
     #[inline(always)]
-    pub fn wrench(&self, s: &Situation<'_, T>) -> Screw<T> {
-        self.axes.to_body(self.wrench, self.at, s)
+    pub fn about_com(&self, s: &Situation<'_, T>) -> Screw<T> {
+        self.axes.about_com(self.wrench, self.at, s)
     }
 
     /// The parameters passed through `f`.

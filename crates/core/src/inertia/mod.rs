@@ -61,10 +61,10 @@ impl<T: Real> Inertia<T> {
         Screw::new(p, self.about_com.apply(twist.angular) + self.com.cross(p))
     }
 
-    /// Θ⁻¹F, by blocks at the mass centre: ω = Jc⁻¹(M − r_c × f), v = f/m + r_c × ω.
+    /// Θ⁻¹F for a wrench whose moment is taken about the mass centre: ω = Jc⁻¹M_c, v = f/m + r_c × ω.
     #[inline(always)]
-    pub fn solve(&self, s: Screw<T>) -> Screw<T> {
-        let w = self.inverse_about_com.apply(s.angular - self.com.cross(s.linear));
+    pub fn solve_about_com(&self, s: Screw<T>) -> Screw<T> {
+        let w = self.inverse_about_com.apply(s.angular);
         Screw::new(s.linear.scale(self.inverse_mass) + self.com.cross(w), w)
     }
 

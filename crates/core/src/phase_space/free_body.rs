@@ -8,7 +8,7 @@ use crate::forces::{Force, Situation};
 use crate::generalized::origin_acceleration;
 use crate::inertia::Inertia;
 use crate::integrators::{Block, ErrorScale};
-use crate::newton_euler::acceleration;
+use crate::newton_euler::acceleration_about_com;
 use crate::scalar::Real;
 use crate::screw::Screw;
 
@@ -52,14 +52,14 @@ pub struct FreeBody<T> {
 }
 
 impl<T: Real> FreeBody<T> {
-    /// The sum of all wrenches, in body axes about the body origin.
+    /// The sum of all wrenches, in body axes about the mass centre.
     #[inline(always)]
     fn wrench(&self, t: T, o: Vec3<T>, rotation: Mat3<T>, twist: Screw<T>, u: &[T]) -> Screw<T> {
         let inertia = &self.inertia;
         let s = Situation { time: t, position: o, rotation, twist, inertia, inputs: u };
         let mut sum = Screw::zero();
         for f in &self.forces {
-            sum = sum + f.wrench(&s);
+            sum = sum + f.about_com(&s);
         }
         sum
     }
@@ -124,7 +124,7 @@ impl<T: Real> Dynamics<T> for FreeBody<T> {
         };
         // ... the equation itself ...
         let wrench = self.wrench(t, o, rotation, twist, u);
-        let rate = acceleration(&self.inertia, twist, wrench);
+        let rate = acceleration_about_com(&self.inertia, twist, wrench);
         // ... and back into them.
         match self.form {
             Form::QuasiVelocity => {

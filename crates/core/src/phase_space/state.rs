@@ -121,7 +121,7 @@ impl FreeBody<f64> {
     /// The wrench of each force, in body axes about the body origin.
     pub fn wrenches(&self, t: f64, s: &RigidState, u: &[f64]) -> Vec<Screw<f64>> {
         let situation = self.situation(t, s, u);
-        self.forces.iter().map(|f| f.wrench(&situation)).collect()
+        self.forces.iter().map(|f| f.about_origin(&situation)).collect()
     }
 
     /// The kinetic energy and the sum of the potential energies, J.
