@@ -1,5 +1,10 @@
 """Six-degree-of-freedom dynamics of free rigid bodies in matrix form, about any body-fixed frame."""
 
+from __future__ import annotations
+
+from os import PathLike
+from typing import TYPE_CHECKING
+
 from freebody import forms
 from freebody._core import __version__
 from freebody.attitude import Attitude
@@ -25,6 +30,9 @@ from freebody.forces import (
 from freebody.linearization import Linearization
 from freebody.model import Model
 from freebody.simulation import ChartChange, Conserved, InputTable, Outcome, Trajectory
+
+if TYPE_CHECKING:
+    from freebody.model_file import LoadedModel
 
 __all__ = [
     "Attitude",
@@ -52,6 +60,17 @@ __all__ = [
     "UniformGravity",
     "__version__",
     "forms",
+    "load",
     "positive_integral_inertia",
     "principal_inertia",
 ]
+
+
+def load(path: str | PathLike[str]) -> LoadedModel:
+    """A model file, checked and built: what to simulate, from where, how long (extra `cli`).
+
+    Raises `ModelFileError`, which names file, line and key, what came and what is allowed.
+    """
+    from freebody.model_file import load_model  # noqa: PLC0415  (an extra: only who asks needs it)
+
+    return load_model(path)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import reprlib
 from typing import NamedTuple, TypeAlias
 
 import numpy as np
@@ -16,6 +17,9 @@ SEQUENCES = ("zxz", "xyx", "yzy", "zyz", "xzx", "yxy", "xyz", "yzx", "zxy", "xzy
 
 # A rotation typed with seven digits is a rotation; one in degrees, or a reflection, is not.
 _ROTATION_DEFECT = 1e-6
+
+_SHORT = reprlib.Repr()
+_SHORT.maxother = _SHORT.maxstring = 60
 
 
 class Argument(NamedTuple):
@@ -33,14 +37,29 @@ class Argument(NamedTuple):
 def argument(name: str, value: ArrayLike, *item: int) -> Argument:
     """Check that `value` is real, finite, not empty and of shape (..., *item)."""
     allowed = f"(..., {', '.join(map(str, item))})"
-    try:
-        array = np.asarray(value)
-    except (ValueError, TypeError) as fault:
-        raise InputError(f"{name}: not an array ({fault}); give real numbers of shape {allowed}") from None
-    if array.dtype.kind not in "iuf":
-        raise InputError(f"{name}: got dtype {array.dtype}; give real numbers of shape {allowed}")
+    array = _real(name, value, allowed)
     if array.shape[-len(item) :] != item:
         raise InputError(f"{name}: got shape {array.shape}; allowed is {allowed}")
+    return Argument(name, _finite(name, array), item)
+
+
+def _real(name: str, value: ArrayLike, allowed: object) -> NDArray[np.generic]:
+    """Check that `value` is an array of real numbers."""
+    try:
+        array = np.asarray(value)
+    except Exception as fault:  # what a foreign object raises when it is converted is its own affair
+        raise InputError(f"{name}: not an array ({fault}); give real numbers of shape {allowed}") from None
+    if array.dtype.kind not in "iuf":
+        raise InputError(
+            f"{name}: got {shown(value)} of dtype {array.dtype}; give real numbers of shape {allowed}"
+        )
+    if np.ma.is_masked(value):
+        raise InputError(f"{name}: some of its numbers are masked; fill them in or leave them out")
+    return array
+
+
+def _finite(name: str, array: NDArray[np.generic]) -> Array:
+    """Check that numbers came and that they are finite doubles."""
     if array.size == 0:
         raise InputError(f"{name}: got an empty array of shape {array.shape}; give at least one item")
     with np.errstate(over="ignore"):  # a long double beyond the range becomes inf and is refused below
@@ -48,7 +67,12 @@ def argument(name: str, value: ArrayLike, *item: int) -> Argument:
     if not np.isfinite(array).all():
         index = tuple(int(i) for i in np.argwhere(~np.isfinite(array))[0])
         raise InputError(f"{name}: got {array[index]} at index {index}; every number must be finite")
-    return Argument(name, array, item)
+    return array
+
+
+def shown(value: object) -> str:
+    """What came, in one line that is not too long."""
+    return " ".join(_SHORT.repr(value).split())
 
 
 def rotation_argument(name: str, value: ArrayLike) -> Argument:
@@ -66,6 +90,14 @@ def rotation_argument(name: str, value: ArrayLike) -> Argument:
     return checked
 
 
+def rotation(name: str, value: ArrayLike) -> Array:
+    """Check one rotation matrix (3, 3); the nearest one that is orthogonal to rounding."""
+    matrix = rotation_argument(name, vector(name, value, 3, 3)).array
+    for _ in range(2):  # Newton's iteration to the polar factor squares the defect: 1e-6, 1e-12, 1e-24
+        matrix = 0.5 * matrix @ (3.0 * np.eye(3) - matrix.T @ matrix)
+    return matrix
+
+
 def inertia_argument(name: str, value: ArrayLike) -> Argument:
     """Check an inertia tensor (..., 3, 3): symmetric to rounding, positive definite."""
     checked = argument(name, value, 3, 3)
@@ -79,11 +111,11 @@ def inertia_argument(name: str, value: ArrayLike) -> Argument:
     return checked
 
 
-def sequence(angles: str) -> str:
+def sequence(angles: str, name: str = "angles") -> str:
     """Check the name of an angle sequence."""
     if not isinstance(angles, str) or angles not in SEQUENCES:
         raise InputError(
-            f"angles: got {angles!r}; allowed are {', '.join(SEQUENCES)} "
+            f"{name}: got {shown(angles)}; allowed are {', '.join(SEQUENCES)} "
             "(lower case, rotations about moving axes)"
         )
     return angles
@@ -92,32 +124,95 @@ def sequence(angles: str) -> str:
 def choice(name: str, value: str, allowed: tuple[str, ...]) -> str:
     """Check a word that is one of a few."""
     if not isinstance(value, str) or value not in allowed:
-        raise InputError(f"{name}: got {value!r}; allowed are {', '.join(map(repr, allowed))}")
+        raise InputError(f"{name}: got {shown(value)}; allowed are {', '.join(map(repr, allowed))}")
     return value
 
 
+def numbers(name: str, value: ArrayLike, *shape: int) -> Array:
+    """Check real numbers of exactly this shape, finite or not."""
+    array = _real(name, value, shape)
+    if array.shape != shape:
+        raise InputError(f"{name}: got shape {array.shape}; allowed is {shape}")
+    with np.errstate(over="ignore"):
+        return array.astype(np.float64)
+
+
 def vector(name: str, value: ArrayLike, *shape: int) -> Array:
-    """Check one array of exactly this shape; a copy that nobody else can change."""
-    checked = argument(name, value, *shape)
-    if checked.batch:
-        raise InputError(f"{name}: got shape {checked.array.shape}; allowed is {shape}")
-    array = np.array(checked.array, order="C")
+    """Check finite numbers of exactly this shape; a copy that nobody else can change."""
+    array = np.ascontiguousarray(_finite(name, numbers(name, value, *shape)))
     array.flags.writeable = False
     return array
 
 
+def series(name: str, value: ArrayLike) -> Array:
+    """Check finite numbers (n,), n at least 1; a copy that nobody else can change."""
+    array = _real(name, value, "(n,)")
+    if array.ndim != 1:
+        raise InputError(f"{name}: got shape {array.shape}; allowed is (n,) with n of at least 1")
+    return vector(name, array, len(array))
+
+
+def columns(name: str, value: ArrayLike, rows: int) -> Array:
+    """Check finite numbers (rows, n), n at least 1; a copy that nobody else can change."""
+    array = _real(name, value, f"({rows}, n)")
+    if array.ndim != 2 or len(array) != rows:
+        raise InputError(f"{name}: got shape {array.shape}; allowed is ({rows}, n) with n of at least 1")
+    return vector(name, array, *array.shape)
+
+
+def diagonal_or_full(name: str, value: ArrayLike, n: int) -> Array:
+    """Check a finite matrix (n, n) or its diagonal (n,); a copy that nobody else can change."""
+    array = _real(name, value, f"({n},) or ({n}, {n})")
+    if array.shape not in ((n,), (n, n)):
+        raise InputError(f"{name}: got shape {array.shape}; allowed are ({n},) and ({n}, {n})")
+    return vector(name, array, *array.shape)
+
+
+def out_refusal(out: object, n: int) -> InputError:
+    """Why results cannot be written to `out`."""
+    came = shown(out)
+    if isinstance(out, np.ndarray):
+        came = f"an array of {out.dtype}, shape {out.shape}, strides {out.strides}"
+        came += "" if out.flags.writeable else ", read-only"
+    return InputError(
+        f"out: got {came}; give a writable contiguous float64 array of shape ({n},) that shares nothing with "
+        "x or u"
+    )
+
+
 def number(name: str, value: float, *, positive: bool = False) -> float:
     """Check one finite number."""
-    array = np.asarray(value)
-    if array.ndim != 0 or array.dtype.kind not in "iuf":
-        raise InputError(f"{name}: got {value!r}; give one real number")
-    if not np.isfinite(array) or (positive and not array > 0):
-        raise InputError(f"{name}: got {value!r}; it must be finite{' and positive' if positive else ''}")
-    return float(array)
+    rule = f"give one finite{' positive' if positive else ''} number"
+    try:
+        array = np.asarray(value)
+    except Exception as fault:
+        raise InputError(f"{name}: not a number ({fault}); {rule}") from None
+    if array.ndim != 0 or array.dtype.kind not in "iuf" or np.ma.is_masked(value):
+        raise InputError(f"{name}: got {shown(value)}; {rule}")
+    with np.errstate(over="ignore"):
+        checked = float(array.astype(np.float64))
+    if not np.isfinite(checked) or (positive and not checked > 0.0):
+        raise InputError(f"{name}: got {shown(value)}; {rule}")
+    return checked
+
+
+def count(name: str, value: float) -> int:
+    """Check a whole number from 1 to 2^53, up to which doubles count."""
+    checked = number(name, value)
+    if not (checked.is_integer() and 1.0 <= checked <= 2.0**53):
+        raise InputError(f"{name}: got {shown(value)}; give a whole number from 1 to 2^53")
+    return int(checked)
+
+
+def flag(name: str, value: bool) -> bool:
+    """Check a truth value."""
+    if not isinstance(value, bool | np.bool_):
+        raise InputError(f"{name}: got {shown(value)}; give True or False")
+    return bool(value)
 
 
 def label(name: str, value: str) -> str:
     """Check a name that is not empty."""
     if not isinstance(value, str) or not value.strip():
-        raise InputError(f"{name}: got {value!r}; give a word that is not empty")
+        raise InputError(f"{name}: got {shown(value)}; give a word that is not empty")
     return value

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from typing import NoReturn
+
 import numpy as np
 from numpy.typing import ArrayLike
 
@@ -54,12 +56,12 @@ class RigidBody(_core.RigidBody):
             raise BodyError(
                 f"body '{name}': give exactly one of inertia_about_com and inertia_about_origin, got {came}"
             )
-        about_com = inertia_about_com is not None
+        about = "com" if inertia_about_com is not None else "origin"
         try:
-            tensor = _numbers(*_given(inertia_about_com, inertia_about_origin), 3, 3)
-            return super().__new__(
-                cls, name, float(_numbers("mass", mass)), _numbers("com", com, 3), tensor, about_com
-            )
+            # Whether the numbers are finite and make a body is for the core to say.
+            tensor = _check.numbers(*_given(inertia_about_com, inertia_about_origin), 3, 3)
+            weight, center = _check.numbers("mass", mass), _check.numbers("com", com, 3)
+            return super().__new__(cls, name, float(weight), center, tensor, about)
         except BodyError:
             raise
         except InputError as fault:
@@ -75,16 +77,22 @@ class RigidBody(_core.RigidBody):
         rotation
             Old axes from new axes, (3, 3); the unit matrix when omitted.
         """
-        turn = np.eye(3) if rotation is None else _check.rotation_argument("rotation", rotation).array
-        com, tensor = self.moved(_check.vector("origin", origin, 3), _check.vector("rotation", turn, 3, 3))
-        return RigidBody(self.mass, com, inertia_about_com=tensor, name=self.name)
+        turn = np.eye(3) if rotation is None else _check.rotation("rotation", rotation)
+        com, tensor = self.moved(_check.vector("origin", origin, 3), turn)
+        return _restore(self.name, self.mass, com, tensor)
 
     def __add__(self, other: RigidBody) -> RigidBody:
         """Two bodies of one frame, rigidly joined."""
         if not isinstance(other, RigidBody):
-            return NotImplemented
+            raise InputError(f"body + other: other is {_check.shown(other)}; give a freebody.RigidBody")
         mass, com, tensor = self.joined(other)
-        return RigidBody(mass, com, inertia_about_com=tensor, name=f"{self.name} + {other.name}")
+        return _restore(f"{self.name} + {other.name}", mass, com, tensor)
+
+    def __radd__(self, other: object) -> NoReturn:
+        raise InputError(
+            f"other + body: other is {_check.shown(other)}; give a freebody.RigidBody, and sum() one to "
+            "start from"
+        )
 
     def __eq__(self, other: object) -> bool:
         return isinstance(other, RigidBody) and self._description() == other._description()
@@ -104,7 +112,8 @@ class RigidBody(_core.RigidBody):
 
 
 def _restore(name: str, mass: float, com: ArrayLike, tensor: ArrayLike) -> RigidBody:
-    return RigidBody(mass, com, inertia_about_com=tensor, name=name)
+    """A body of numbers that were a body before: rounding since then is no reason to refuse them."""
+    return _core.RigidBody.__new__(RigidBody, name, mass, com, tensor, "kept")
 
 
 def _given(about_com: ArrayLike | None, about_origin: ArrayLike | None) -> tuple[str, ArrayLike]:
@@ -112,18 +121,6 @@ def _given(about_com: ArrayLike | None, about_origin: ArrayLike | None) -> tuple
         return "inertia_about_com", about_com
     assert about_origin is not None
     return "inertia_about_origin", about_origin
-
-
-def _numbers(name: str, value: ArrayLike, *shape: int) -> Array:
-    """Real numbers of a shape; whether they are finite and make a body is for the core to say."""
-    try:
-        array = np.asarray(value)
-    except (ValueError, TypeError):
-        array = np.asarray(None)
-    if array.dtype.kind not in "iuf" or array.shape != shape:
-        came = f"{array.dtype} of shape {array.shape}" if array.dtype.kind != "O" else repr(value)
-        raise InputError(f"{name}: got {came}; allowed are real numbers of shape {shape}")
-    return array.astype(np.float64)
 
 
 def principal_inertia(moments: ArrayLike, axes: ArrayLike | None = None) -> Array:
@@ -139,7 +136,7 @@ def principal_inertia(moments: ArrayLike, axes: ArrayLike | None = None) -> Arra
     diagonal = np.diag(_check.vector("moments", moments, 3))
     if axes is None:
         return diagonal
-    turn = _check.vector("axes", _check.rotation_argument("axes", axes).array, 3, 3)
+    turn = _check.rotation("axes", axes)
     return turn @ diagonal @ turn.T
 
 

@@ -13,9 +13,8 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from freebody import _check, _core
-from freebody._check import Array
 from freebody.errors import InputError
-from freebody.tables import Interpolation, table_times
+from freebody.tables import Interpolation, check_slopes, table_times
 
 __all__ = [
     "ConstantWrench",
@@ -67,10 +66,11 @@ class UniformGravity(Force):
         super().__init__(name)
         self.acceleration = _check.number("acceleration", acceleration)
         down = _check.vector("direction", direction, 3)
-        length = float(np.linalg.norm(down))
-        if length == 0.0:
+        largest = float(np.abs(down).max())
+        if largest == 0.0:
             raise InputError("direction: got the zero vector; give the direction in which things fall")
-        self.direction = down / length
+        # Scaled first, so that no square overflows or vanishes.
+        self.direction = down / largest / np.linalg.norm(down / largest)
 
     def core(self) -> _core.Force:
         return _core.Force.uniform_gravity(self.acceleration * self.direction)
@@ -93,9 +93,9 @@ class PointMassGravity(Force):
         self, mu: float, center: ArrayLike = ORIGIN, gradient_torque: bool = True, *, name: str | None = None
     ) -> None:
         super().__init__(name)
-        self.mu = _check.number("mu", mu)
+        self.mu = _check.number("mu", mu, positive=True)
         self.center = _check.vector("center", center, 3)
-        self.gradient_torque = bool(gradient_torque)
+        self.gradient_torque = _check.flag("gradient_torque", gradient_torque)
 
     def core(self) -> _core.Force:
         return _core.Force.point_mass_gravity(self.mu, self.center, self.gradient_torque)
@@ -133,8 +133,8 @@ class TabulatedWrench(Force):
     force, moment
         (n, 3) N and N m; zero when omitted.
     interpolation
-        "linear" between the rows, or "hold": each row until the next. The first and the last row hold outside.
-        Integration steps onto every time of the table.
+        "linear" between the rows, or "hold": each row until the next. The first and the last row hold
+        outside. Integration steps onto every time of the table.
     """
 
     def __init__(
@@ -158,6 +158,9 @@ class TabulatedWrench(Force):
         self.axes = _check.choice("axes", axes, ("body", "world"))
         self.at = _check.vector("at", at, 3)
         self.interpolation = _check.choice("interpolation", interpolation, ("linear", "hold"))
+        if interpolation == "linear":
+            check_slopes("force", self.times, self.force)
+            check_slopes("moment", self.times, self.moment)
 
     def core(self) -> _core.Force:
         columns = np.ascontiguousarray(np.hstack([self.force, self.moment]).T)
@@ -170,10 +173,7 @@ class _Damping(Force):
 
     def __init__(self, coefficients: ArrayLike, *, name: str | None = None) -> None:
         super().__init__(name)
-        shape = np.shape(coefficients)
-        self.coefficients = _check.vector(
-            "coefficients", coefficients, *((6, 6) if len(shape) == 2 else (6,))
-        )
+        self.coefficients = _check.diagonal_or_full("coefficients", coefficients, 6)
 
 
 class LinearDamping(_Damping):

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from freebody import _check
 from freebody._check import Array
 from freebody.errors import InputError
 from freebody.simulation import Trajectory
@@ -37,8 +38,10 @@ class Linearization:
 def linearize(model: Model, run: Trajectory) -> Linearization:
     """See `Model.linearize`."""
     if not isinstance(run, Trajectory):
-        raise InputError(f"run: got {type(run).__name__}; give a Trajectory of this model")
-    if run.x.shape[1] != model.n_states or run.state_names != model.state_names:
-        raise InputError(f"run: its states are those of {run.model!r}, not of {model!r}")
+        raise InputError(f"run: got {_check.shown(run)}; give a Trajectory of this model")
+    if (run.state_names, run.model.input_names) != (model.state_names, model.input_names):
+        raise InputError(f"run: its states and inputs are those of {run.model!r}, not of {model!r}")
+    if len(run) == 0:
+        raise InputError("run: it has no samples")
     pairs = [model.jacobian(t, x, u) for t, x, u in zip(run.t.tolist(), run.x, run.u, strict=True)]
     return Linearization(run.t, np.array([a for a, _ in pairs]), np.array([b for _, b in pairs]))

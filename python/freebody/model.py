@@ -33,8 +33,8 @@ class Model(_core.Model):
     body
         The body, about any frame.
     forces
-        Force elements. When none of them reads inputs, u is the wrench (6,) on the body about its origin in body
-        axes, added to the forces, so that B = [0; Θ⁻¹].
+        Force elements. When none of them reads inputs, u is the wrench (6,) on the body about its origin in
+        body axes, added to the forces, so that B = [0; Θ⁻¹].
     attitude
         Chart of the orientation: "quaternion", or an angle sequence such as "zyx".
     form
@@ -70,11 +70,9 @@ class Model(_core.Model):
         name: str = "model",
     ) -> Model:
         if not isinstance(body, RigidBody):
-            raise InputError(f"body: got {type(body).__name__}; give a freebody.RigidBody")
+            raise InputError(f"body: got {_check.shown(body)}; give a freebody.RigidBody")
         given = _checked_forces(forces)
-        if attitude != "quaternion":
-            allowed = ("quaternion", *_check.SEQUENCES)
-            _check.choice("attitude", attitude, allowed)
+        _check.choice("attitude", attitude, ("quaternion", *_check.SEQUENCES))
         _check.choice("form", form, ("quasi_velocity", "generalized"))
         acting = given
         if not any(isinstance(f, InputWrench) for f in given):
@@ -115,11 +113,11 @@ class Model(_core.Model):
         Raises
         ------
         SingularChartError
-            The generalized rates do not exist at this attitude.
+            The angle rates of the generalized form do not exist at this attitude.
         """
         attitude = Attitude.identity() if attitude is None else attitude
         if not isinstance(attitude, Attitude):
-            raise InputError(f"attitude: got {type(attitude).__name__}; make one with Attitude.angles(...)")
+            raise InputError(f"attitude: got {_check.shown(attitude)}; make one with Attitude.angles(...)")
         body_from_world = attitude.as_rotation().T
         velocity = _either("velocity", velocity_body, velocity_world, body_from_world)
         turn = _either("angular_velocity", angular_velocity_body, angular_velocity_world, body_from_world)
@@ -132,8 +130,6 @@ class Model(_core.Model):
         )
         if self.attitude != "quaternion":
             x[3:6] = angles
-        if self.form == "generalized":
-            self.derivative(0.0, x)
         return x
 
     def simulate(
@@ -153,8 +149,8 @@ class Model(_core.Model):
     ) -> Trajectory:
         """Simulate from a state.
 
-        A run in angles that comes near their singularity goes on in quaternions and comes back; its samples stay in
-        the angles asked for.
+        A run in angles that comes near their singularity goes on in quaternions and comes back; its samples
+        stay in the angles asked for.
 
         Parameters
         ----------
@@ -166,8 +162,8 @@ class Model(_core.Model):
             "dop853": Dormand-Prince 8(5,3), adaptive. "dp54": Dormand-Prince 5(4), adaptive. "rk4": classical
             Runge-Kutta, fixed step (Hairer, Nørsett, Wanner, Solving ODEs I, 2nd ed., II.1 and II.5).
         rtol, atol
-            Error allowed to one step: of each vector of the state (position, velocity, ...) atol + rtol times its
-            length, of the orientation rtol rad. atol is 1e-3 rtol when omitted, in SI units.
+            Error allowed to one step: of each vector of the state (position, velocity, ...) atol + rtol times
+            its length, of the orientation rtol rad. atol is 1e-3 rtol when omitted, in SI units.
         step
             The fixed step of rk4, s; the first step of the others, which choose one when it is omitted.
         save_every, save_at
@@ -219,10 +215,17 @@ def _checked_forces(forces: Iterable[Force]) -> tuple[Force, ...]:
     try:
         given = tuple(forces)
     except TypeError:
-        raise InputError(f"forces: got {type(forces).__name__}; give a list of force elements") from None
+        raise InputError(f"forces: got {_check.shown(forces)}; give a list of force elements") from None
     for i, force in enumerate(given):
         if not isinstance(force, Force):
-            raise InputError(f"forces[{i}]: got {type(force).__name__}; give a force element")
+            raise InputError(f"forces[{i}]: got {_check.shown(force)}; give a force element")
+        if isinstance(force, InputWrench) and any(
+            isinstance(f, InputWrench) and f.name == force.name for f in given[:i]
+        ):
+            raise InputError(
+                f"forces[{i}]: a second InputWrench called {force.name!r}; give each its own name=, which "
+                "its inputs bear"
+            )
     return given
 
 
@@ -233,7 +236,8 @@ def _either(name: str, body: ArrayLike | None, world: ArrayLike | None, body_fro
     if body is not None:
         return _check.vector(f"{name}_body", body, 3)
     if world is not None:
-        return body_from_world @ _check.vector(f"{name}_world", world, 3)
+        with np.errstate(over="ignore", invalid="ignore"):  # beyond doubles: the core refuses the state
+            return body_from_world @ _check.vector(f"{name}_world", world, 3)
     return np.zeros(3)
 
 

@@ -7,7 +7,6 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
-from freebody.simulation import Trajectory
 from matplotlib import rc_context
 from matplotlib.axes import Axes
 from matplotlib.backends.backend_agg import FigureCanvasAgg
@@ -15,6 +14,7 @@ from matplotlib.figure import Figure
 from numpy.typing import ArrayLike, NDArray
 
 from freebody.errors import InputError
+from freebody.simulation import Trajectory
 
 __all__ = ["check_suffix", "figure", "save"]
 
@@ -111,8 +111,8 @@ def _attitude(axes: Axes, time: Array, run: Trajectory) -> None:
     sequence = run.model.attitude
     colours = zip(sequence, XYZ.values(), strict=True)
     labels = {f"α{i} about {axis}": colour for i, (axis, colour) in enumerate(colours, 1)}
-    angles = np.rad2deg(run.angles(sequence))
-    # A turn past 180 deg is no motion: the line breaks there.
+    angles = np.mod(np.rad2deg(run.angles(sequence)) + 180, 360) - 180
+    # A turn past 180 deg is no jump of the body: the line breaks there.
     wraps = np.abs(np.diff(angles, axis=0, prepend=angles[:1])) > 180
     _lines(axes, time, np.where(wraps, np.nan, angles), labels)
     axes.set(title=f"Attitude angles {sequence}", ylabel="deg")
@@ -140,7 +140,8 @@ def _energy(axes: Axes, time: Array, run: Trajectory) -> None:
 def _drift(axes: Axes, time: Array, run: Trajectory) -> None:
     axes.set(title="Largest relative drift so far", yscale="log", ylim=(1e-17, 1e-12))
     largest = 1e-12
-    for kept, colour in zip(run.conserved(), (BLUE, RED, GREEN, BLACK, GREY), strict=False):
+    moving = [kept for kept in run.conserved() if kept.reference > 0.0]
+    for kept, colour in zip(moving, (BLUE, RED, GREEN, BLACK, GREY), strict=False):
         drift = np.maximum(np.maximum.accumulate(kept.history), 1e-17)
         axes.plot(time, drift, color=colour, label=kept.name)
         largest = max(largest, 3 * drift[-1])
@@ -148,7 +149,15 @@ def _drift(axes: Axes, time: Array, run: Trajectory) -> None:
     if axes.lines:
         axes.legend(loc="best")
     else:
-        axes.text(0.5, 0.5, "these forces keep nothing", transform=axes.transAxes, ha="center", color=GREY)
+        axes.set(yscale="linear", yticks=[])
+        axes.text(
+            0.5,
+            0.5,
+            "the forces of this model keep nothing",
+            transform=axes.transAxes,
+            ha="center",
+            color=GREY,
+        )
 
 
 def _lines(axes: Axes, time: Array, values: Array, labels: Mapping[str, str]) -> None:

@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 import numpy as np
-from freebody.model import Model
-from freebody.simulation import Trajectory
 from numpy.typing import ArrayLike
 from rich.table import Table
 from rich.text import Text
+
+from freebody.model import Model
+from freebody.simulation import Trajectory
 
 __all__ = ["describe_model", "summary"]
 
@@ -32,12 +33,16 @@ def summary(run: Trajectory) -> Table:
     table = _two_columns()
     ending = Text(run.outcome.message, style="green" if run.ok else "bold red")
     table.add_row("outcome", ending)
-    table.add_row("simulated", f"{_time(run.t[0])} to {_time(run.t[-1])}, {len(run.t)} samples")
-    rates = np.rad2deg(np.linalg.norm(run.angular_velocity_body, axis=1))
-    table.add_row("rates", f"|ω| {rates.min():.6g} to {rates.max():.6g} deg/s")
+    table.add_row(
+        "samples", f"{len(run)}" + (f", {_time(run.t[0])} to {_time(run.t[-1])}" if len(run) else "")
+    )
+    if len(run):
+        rates = np.rad2deg(np.linalg.norm(run.angular_velocity_body, axis=1))
+        table.add_row("rates", f"|ω| {rates.min():.6g} to {rates.max():.6g} deg/s")
     for kept in run.conserved():
-        table.add_row(f"{kept.name} drift", f"{kept.drift:.1e} of {kept.reference:.6g} {kept.unit}")
-    if run.singularity_distance is not None:
+        if kept.reference > 0.0:  # a body that rests keeps nothing of note
+            table.add_row("kept", f"{kept.name}: drift {kept.drift:.1e} of {kept.reference:.6g} {kept.unit}")
+    if run.singularity_distance is not None and len(run):
         nearest = np.rad2deg(np.min(run.singularity_distance))
         table.add_row("singularity", f"the angles came within {nearest:.3g} deg of it")
     for change in run.chart_changes:
@@ -49,7 +54,7 @@ def summary(run: Trajectory) -> Table:
 
 def _two_columns() -> Table:
     table = Table(box=None, show_header=False, pad_edge=False)
-    table.add_column(style="bold", no_wrap=True)
+    table.add_column(style="bold", no_wrap=True, min_width=12)
     table.add_column(overflow="fold")
     return table
 

@@ -12,10 +12,10 @@ from typing import NamedTuple
 
 import numpy as np
 import xarray as xr
-from freebody.simulation import Trajectory
 from numpy.typing import ArrayLike, NDArray
 
 from freebody.errors import InputError
+from freebody.simulation import Trajectory
 
 __all__ = ["check_suffix", "save", "to_dataset"]
 
@@ -103,6 +103,9 @@ def _variables(run: Trajectory, points: Mapping[str, ArrayLike]) -> Iterator[Var
     components = (f"angle_{sequence}", tuple(f"{i}_{axis}" for i, axis in enumerate(sequence, 1)))
     meaning = f"attitude as intrinsic angles of the sequence {sequence}, world from body"
     yield Variable("angles", run.angles(sequence), components, "rad", meaning)
+    if np.any(run.u):
+        for name, values, unit in zip(run.model.input_names, run.u.T, run.model.input_units, strict=True):
+            yield Variable(f"input_{name}", values, None, unit, f"input {name} of the model")
     for name, at in points.items():
         place = ", ".join(f"{value:g}" for value in np.asarray(at, dtype=float))
         meaning = f"path of the body's point ({place}) m, world axes"

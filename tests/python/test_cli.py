@@ -2,6 +2,8 @@
 
 import io
 import json
+import math
+import re
 import sys
 from importlib.metadata import version
 
@@ -34,7 +36,9 @@ def freebody(tmp_path, monkeypatch, capsys):
 def test_run_writes_data_and_figure_and_says_where(freebody, tmp_path):
     status, out, _ = freebody("run", "heavy_top")
     assert status == 0
-    assert out.splitlines()[-2:] == ["data  out/heavy_top/heavy_top.nc", "plot  out/heavy_top/heavy_top.png"]
+    data, plot = out.splitlines()[-2:]
+    assert data.split() == ["data", "out/heavy_top/heavy_top.nc"]
+    assert plot.split() == ["plot", "out/heavy_top/heavy_top.png"]
     assert (tmp_path / "out/heavy_top/heavy_top.png").stat().st_size > 10_000
     with xr.open_dataset(tmp_path / "out/heavy_top/heavy_top.nc", engine="h5netcdf") as stored:
         assert stored.attrs["model_file"] == shipped_model("heavy_top").read_text()
@@ -43,8 +47,24 @@ def test_run_writes_data_and_figure_and_says_where(freebody, tmp_path):
 
 def test_run_says_what_was_simulated_and_kept(freebody):
     _, out, _ = freebody("run", "heavy_top", "--no-plot")
-    for part in ("Thrown heavy top", "outcome", "energy drift", "steps", "wall time"):
+    for part in ("Thrown heavy top", "outcome", "energy: drift", "steps", "wall time"):
         assert part in out
+
+
+def test_run_says_that_and_when_it_changed_its_chart(freebody, tmp_path):
+    # A pitch of 1 rad/s passes the 90 deg of zyx at pi/2 s.
+    (tmp_path / "loop.toml").write_text(
+        '[model]\nname = "loop"\n[body]\nmass = 1\ninertia_about_com = { principal = [1, 2, 2.5] }\n'
+        "[initial]\nangular_velocity_body = [0, 1, 0]\n"
+        '[simulation]\nend = 2\nattitude = "zyx"\n[output]\nsave_every = 0.1\n'
+    )
+    status, out, _ = freebody("run", "loop.toml")
+    assert status == 0
+    change = re.search(r"chart change +zyx to quaternion at ([0-9.]+) s", out)
+    assert change
+    assert 0 < float(change[1]) < math.pi / 2
+    with xr.open_dataset(tmp_path / "out/loop/loop.nc", engine="h5netcdf") as stored:
+        assert stored.attrs["chart_changes"].count("zyx to quaternion") == 1
 
 
 def test_run_writes_where_it_is_told(freebody, tmp_path):
@@ -69,10 +89,20 @@ def test_a_run_that_ends_early_keeps_its_data(freebody, tmp_path):
     status, out, err = freebody("run", "short.toml")
     assert status == 1
     assert "ended early" in err
-    assert "data  out/short/short.nc" in out
+    assert "out/short/short.nc" in out
     with xr.open_dataset(tmp_path / "out/short/short.nc", engine="h5netcdf") as stored:
         assert 0 < stored["time"].size < 501
         assert stored.attrs["outcome"] == "step_limit"
+
+
+@pytest.mark.parametrize(("save", "written"), [("save_at = [2.0]", []), ("save_every = 1.0", ["short.nc"])])
+def test_a_run_that_ends_at_once_is_told_too(freebody, tmp_path, save, written):
+    text = shipped_model("heavy_top").read_text().replace('save_every = "5 ms"', save)
+    (tmp_path / "short.toml").write_text(text.replace("[simulation]", "[simulation]\nmax_steps = 1"))
+    status, _, err = freebody("run", "short.toml")
+    assert status == 1
+    assert "ended early" in err
+    assert [path.name for path in (tmp_path / "out/short").iterdir()] == written
 
 
 @pytest.mark.parametrize("command", ["run", "check"])

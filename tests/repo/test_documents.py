@@ -49,7 +49,7 @@ def test_python_blocks_run(page, tmp_path, monkeypatch):
 @PAGES
 def test_every_name_of_the_library_exists(page):
     owners = {"fb": fb, "forms": fb.forms, **{name: getattr(fb, name) for name in fb.__all__}}
-    code = " ".join(re.findall(r"`([^`\n]+)`", page.read_text()) + blocks(page, "python"))
+    code = " ".join(re.findall(r"`([^`\n]+)`", page.read_text()) + blocks(page, "py(?:thon)?"))
     for owner, name in re.findall(r"(?<![\w./])([A-Za-z]\w*)\.([A-Za-z]\w*)", code):
         if owner in owners:
             assert name in attributes(owners[owner]), f"{owner}.{name}"

@@ -19,6 +19,8 @@ type Matrix = [[f64; 3]; 3];
 
 #[pymethods]
 impl RigidBody {
+    /// `about` says where the tensor stands: "com", "origin", or "kept" for one about the mass centre that was
+    /// computed from other bodies.
     #[new]
     fn new(
         py: Python<'_>,
@@ -26,47 +28,54 @@ impl RigidBody {
         mass: f64,
         com: [f64; 3],
         tensor: Matrix,
-        about_com: bool,
+        about: &str,
     ) -> PyResult<Self> {
-        let made = if about_com {
-            inertia::from_tensor_about_com(mass, com, tensor)
-        } else {
-            inertia::from_tensor_about_origin(mass, com, tensor)
+        let made = match about {
+            "com" => inertia::from_tensor_about_com(mass, com, tensor),
+            "origin" => inertia::from_tensor_about_origin(mass, com, tensor),
+            _ => inertia::from_other_bodies(mass, com, tensor),
         };
         let refuse = |d: BodyDefect| errors::body(py, format!("body '{name}': {d}"));
         Ok(Self { inertia: made.map_err(refuse)?, name })
     }
 
+    /// Mass, kg.
     #[getter]
     fn mass(&self) -> f64 {
         self.inertia.mass
     }
 
+    /// Mass centre from the body origin, body axes, (3,) m.
     #[getter]
     fn com<'py>(&self, py: Python<'py>) -> Bound<'py, PyArray1<f64>> {
         PyArray1::from_slice(py, &self.inertia.com.to_array())
     }
 
+    /// Inertia tensor about the mass centre, body axes, (3, 3) kg m².
     #[getter]
     fn inertia_about_com<'py>(&self, py: Python<'py>) -> Bound<'py, PyArray2<f64>> {
         matrix3(py, &self.inertia.about_com.full())
     }
 
+    /// Inertia tensor about the body origin, body axes, (3, 3) kg m².
     #[getter]
     fn inertia_about_origin<'py>(&self, py: Python<'py>) -> Bound<'py, PyArray2<f64>> {
         matrix3(py, &self.inertia.about_origin().full())
     }
 
+    /// Principal moments about the mass centre, rising, (3,) kg m².
     #[getter]
     fn principal_moments<'py>(&self, py: Python<'py>) -> Bound<'py, PyArray1<f64>> {
         PyArray1::from_slice(py, &inertia::principal_moments(self.inertia.about_com))
     }
 
+    /// The Mises inertia matrix Θ about the body origin, linear part first, (6, 6). Konoplev (1.6)
     #[getter]
     fn spatial_inertia<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyArray2<f64>>> {
         matrix6(py, &self.inertia.matrix())
     }
 
+    /// The inverse of `spatial_inertia`, in closed form, (6, 6).
     #[getter]
     fn inverse_spatial_inertia<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyArray2<f64>>> {
         matrix6(py, &self.inertia.inverse_matrix())

@@ -5,13 +5,13 @@ use crate::errors;
 use freebody_core::algebra::{Mat3, Vec3, normalized, quaternion_from_rotation, rotation_from_quaternion};
 use freebody_core::charts::{AngleChart, Sequence, angular_velocity_skew, quaternion_rate};
 use freebody_core::forces::{Force, Situation, UniformGravity};
-use freebody_core::generalized::{Generalized, rotation_acceleration};
+use freebody_core::generalized::{Generalized, acceleration_by_blocks, rotation_acceleration};
 use freebody_core::inertia::Inertia;
 use freebody_core::lagrange::{
     Lagrange, christoffel_sums, christoffel_symbols, generalized_force, lagrange_operator,
 };
 use freebody_core::newton_euler as ne;
-use freebody_core::phase_space::{generalized_acceleration, phase_velocity};
+use freebody_core::phase_space::phase_velocity;
 use freebody_core::screw::{self, Screw};
 use numpy::{PyArray1, PyArray2, PyArrayMethods, PyReadonlyArray2, PyUntypedArrayMethods};
 use pyo3::prelude::*;
@@ -219,14 +219,15 @@ fn acceleration(which: String, s: Sequence, body: Inertia<f64>) -> Option<Entry>
         let (alpha, q_dot, wrench) = (v3(&a[0][3..]), v6(a[1]), v6(a[2]));
         let g = || Generalized::new(&body, s, alpha, q_dot);
         let l = || Lagrange::new(&body, &g());
-        let force = || generalized_force(&AngleChart::new(s, alpha), wrench);
+        let chart = || AngleChart::new(s, alpha);
+        let force = || generalized_force(&chart(), wrench);
         let q_ddot = match which.as_str() {
             "2.4" => g().acceleration_2_4(q_dot, wrench),
             "2.7" => g().acceleration_2_7(q_dot, wrench),
             "2.8" => g().acceleration_2_8(q_dot, wrench),
             "2.9" => l().acceleration_2_9(q_dot, force()),
             "2.10" => l().acceleration_2_10(q_dot, force()),
-            _ => generalized_acceleration(&body, s, alpha, q_dot, wrench),
+            _ => acceleration_by_blocks(&body, &chart(), q_dot, wrench),
         };
         q_ddot.store(out);
     })

@@ -2,6 +2,7 @@
 
 mod arguments;
 mod body;
+mod diagnosis;
 mod errors;
 mod forces;
 mod forms;

@@ -1,6 +1,6 @@
 //! `Model`: f(x, u, t) and its Jacobians at single states, and what can be read off states.
 
-use crate::arguments::vector;
+use crate::arguments::{number, vector, write_out};
 use crate::body::RigidBody;
 use crate::errors;
 use crate::forces::Force;
@@ -18,7 +18,7 @@ use pyo3::prelude::*;
 pub struct Model {
     pub free_body: FreeBody<f64>,
     evaluator: Evaluator,
-    force_names: Vec<String>,
+    pub force_names: Vec<String>,
     states: usize,
     inputs: usize,
     /// The inputs when none are given.
@@ -34,38 +34,11 @@ impl Model {
         u.map(|u| vector("u", u, self.inputs)).transpose()
     }
 
-    /// Why a derivative is not finite at finite arguments.
-    fn diagnose(&self, py: Python<'_>, t: f64, x: &[f64], u: &[f64]) -> PyErr {
-        if let (Some(distance), Chart::Angles(sequence)) =
-            (self.free_body.singularity_distance(x), self.free_body.chart)
-            && distance < 1e-9
-        {
-            return errors::singular_chart(
-                py,
-                format!(
-                    "at t = {t} s the second angle of '{}' is {} rad, where the angle rates do not exist; use another \
-                     sequence or attitude=\"quaternion\"",
-                    sequence.name(),
-                    x[4]
-                ),
-            );
-        }
-        let state = self.free_body.rigid_state(x);
-        let finite = |s: &Screw<f64>| {
-            let mut six = [0.0; 6];
-            s.store(&mut six);
-            six.iter().all(|v| v.is_finite())
-        };
-        let wrenches = self.free_body.wrenches(t, &state, u);
-        let source = match wrenches.iter().position(|w| !finite(w)) {
-            Some(i) => format!("the wrench of force '{}' is not finite", self.force_names[i]),
-            None => "the motion itself is too large".to_owned(),
-        };
-        errors::non_finite(py, format!("the derivative is not finite at t = {t} s, x = {x:?}: {source}"))
-    }
-
     fn rows<'a>(&self, x: &'a PyReadonlyArray2<'_, f64>) -> PyResult<Vec<&'a [f64]>> {
-        assert_eq!(x.shape()[1], self.states, "states have {} columns", self.states);
+        if x.shape()[1] != self.states {
+            let allowed = format!("x: got shape {:?}; allowed is (n, {})", x.shape(), self.states);
+            return Err(errors::input(x.py(), allowed));
+        }
         Ok(x.as_slice()?.chunks(self.states).collect())
     }
 }
@@ -146,25 +119,11 @@ impl Model {
         let mut rate = [0.0; 16];
         let rate = &mut rate[..self.states];
         self.evaluator.derivative(t, x, u, rate);
-        if !rate.iter().all(|v| v.is_finite()) {
+        if !rate.iter().all(|v| v.is_finite()) || self.is_singular(x) {
             return Err(self.diagnose(py, t, x, u));
         }
         let Some(out) = out else { return Ok(PyArray1::from_slice(py, rate)) };
-        let wrong = || {
-            let n = self.states;
-            errors::input(
-                py,
-                format!("out: must be a writable contiguous float64 array of shape ({n},), not x or u"),
-            )
-        };
-        let array = out.cast::<PyArray1<f64>>().map_err(|_| wrong())?;
-        let mut write = array.try_readwrite().map_err(|_| wrong())?;
-        let to = write.as_slice_mut().map_err(|_| wrong())?;
-        if to.len() != rate.len() {
-            return Err(wrong());
-        }
-        to.copy_from_slice(rate);
-        Ok(array.clone())
+        write_out(out, rate)
     }
 
     /// The exact Jacobians A = ∂f/∂x, (n_states, n_states), and B = ∂f/∂u, (n_states, n_inputs). Konoplev (3.2).
@@ -185,7 +144,7 @@ impl Model {
         let (n, m) = (self.states, self.inputs);
         let (mut a, mut b) = (vec![0.0; n * n], vec![0.0; n * m]);
         self.evaluator.jacobian(t, x, u, &mut a, &mut b);
-        if !a.iter().chain(&b).all(|v| v.is_finite()) {
+        if !a.iter().chain(&b).all(|v| v.is_finite()) || self.is_singular(x) {
             return Err(self.diagnose(py, t, x, u));
         }
         Ok((PyArray1::from_vec(py, a).reshape([n, n])?, PyArray1::from_vec(py, b).reshape([n, m])?))
@@ -244,7 +203,7 @@ impl Model {
         quaternion: [f64; 4],
         twist: [f64; 6],
         angles: [f64; 3],
-    ) -> Array1<'py> {
+    ) -> PyResult<Array1<'py>> {
         let state =
             RigidState { position: Vec3::from_array(position), quaternion, twist: Screw::from_slice(&twist) };
         let mut x = vec![0.0; self.states];
@@ -252,8 +211,17 @@ impl Model {
         if matches!(self.free_body.chart, Chart::Angles(_)) {
             like[3..6].copy_from_slice(&angles);
         }
+        if self.free_body.form == Form::Generalized && self.is_singular(&like) {
+            return Err(self.singular(py, "", &like));
+        }
         self.free_body.write_state(&state, &like, &mut x);
-        PyArray1::from_vec(py, x)
+        if !x.iter().all(|v| v.is_finite()) {
+            return Err(errors::input(
+                py,
+                format!("the motion is too large for doubles: its state would be {x:?}"),
+            ));
+        }
+        Ok(PyArray1::from_vec(py, x))
     }
 
     /// Kinetic and potential energy (n,) of states at times.
@@ -299,14 +267,4 @@ impl Model {
             None => Ok(&self.zeros),
         }
     }
-}
-
-/// One finite number.
-fn number(name: &str, value: &Bound<'_, PyAny>) -> PyResult<f64> {
-    if let Ok(x) = value.extract::<f64>()
-        && x.is_finite()
-    {
-        return Ok(x);
-    }
-    value.py().import("freebody._check")?.call_method1("number", (name, value))?.extract()
 }

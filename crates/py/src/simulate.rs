@@ -7,6 +7,9 @@ use freebody_core::simulate::{Ending, Inputs, MethodName, Run, Task, simulate as
 use numpy::{PyArray1, PyArray2, PyArrayMethods, PyReadonlyArray1, PyReadonlyArray2};
 use pyo3::prelude::*;
 
+type Array1<'py> = Bound<'py, PyArray1<f64>>;
+type Array2<'py> = Bound<'py, PyArray2<f64>>;
+
 /// What came of a run.
 #[pyclass(frozen, module = "freebody._core")]
 pub struct RunResult(Run);
@@ -14,10 +17,7 @@ pub struct RunResult(Run);
 #[pymethods]
 impl RunResult {
     /// Times (n,) and states (n, n_states) of the samples.
-    fn samples<'py>(
-        &self,
-        py: Python<'py>,
-    ) -> PyResult<(Bound<'py, PyArray1<f64>>, Bound<'py, PyArray2<f64>>)> {
+    fn samples<'py>(&self, py: Python<'py>) -> PyResult<(Array1<'py>, Array2<'py>)> {
         let n = self.0.times.len();
         let states = PyArray1::from_slice(py, &self.0.states);
         Ok((PyArray1::from_slice(py, &self.0.times), states.reshape([n, self.0.end_state.len()])?))

@@ -50,24 +50,31 @@ def run(
     with LongRunProgress(errors) as progress:
         trajectory = loaded.simulate(progress=progress.update)
 
-    attributes = {
+    written = {}
+    points = loaded.output.points
+    if len(trajectory) > 0:
+        dataset = results.to_dataset(trajectory, points=points, attributes=_attributes(loaded))
+        results.save(dataset, data)
+        written["data"] = data
+    if len(trajectory) > 1 and figure is not None:
+        plots.save(plots.figure(trajectory, title=loaded.header.name, points=points), figure)
+        written["plot"] = figure
+
+    output.print(summary(trajectory))
+    for what, path in written.items():
+        output.print(f"{what:14}{path}", soft_wrap=True)
+    if not trajectory.ok:
+        errors.print(f"the run ended early: {trajectory.outcome.message}", style="bold red")
+        raise typer.Exit(1)
+
+
+def _attributes(loaded: LoadedModel) -> dict[str, str]:
+    return {
         "title": loaded.header.name,
         "source": f"freebody {version('freebody')}",
         "references": "\n".join(loaded.header.sources),
         "model_file": loaded.text,
     }
-    points = loaded.output.points
-    results.save(results.to_dataset(trajectory, points=points, attributes=attributes), data)
-    if figure is not None:
-        plots.save(plots.figure(trajectory, title=loaded.header.name, points=points), figure)
-
-    output.print(summary(trajectory))
-    output.print(f"data  {data}", soft_wrap=True)
-    if figure is not None:
-        output.print(f"plot  {figure}", soft_wrap=True)
-    if not trajectory.ok:
-        errors.print(f"the run ended early: {trajectory.outcome.message}", style="bold red")
-        raise typer.Exit(1)
 
 
 def _default_output(loaded: LoadedModel) -> Path:

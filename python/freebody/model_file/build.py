@@ -7,12 +7,12 @@ from operator import add
 from typing import Any
 
 import numpy as np
-from freebody.model import Model
 from numpy.typing import NDArray
 
 from freebody import forces as force_elements
 from freebody.attitude import Attitude
 from freebody.body import RigidBody, positive_integral_inertia, principal_inertia
+from freebody.model import Model
 
 from .csv_table import read_table
 from .force_schema import AnyForce, TabulatedWrench
@@ -92,6 +92,8 @@ def _attitude(initial: Initial) -> Attitude:
         return Attitude.quaternion(table.quaternion)
     if table.rotation is not None:
         return Attitude.rotation(table.rotation)
+    assert table.angles is not None
+    assert table.sequence is not None
     return Attitude.angles(table.sequence, table.angles)
 
 

@@ -34,6 +34,8 @@ def read_table(name: str, key: str, source: Source) -> dict[str, NDArray[np.floa
         raise source.error(key, f"cannot read {path}: {error.strerror}") from None
     except ValueError as error:
         raise source.error(key, f"{path} is no table of numbers under a line of headings: {error}") from None
+    if not rows:
+        raise source.error(key, f"{path} has headings but no rows")
     table = {}
     for heading, column in zip(headings, columns, strict=True):
         match = _HEADING.fullmatch(heading)

@@ -9,13 +9,13 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
-from freebody._core import toml_parse
-from freebody.model import Model
-from freebody.simulation import Trajectory
 from numpy.typing import NDArray
 from pydantic import ValidationError
 
+from freebody._core import toml_parse
 from freebody.errors import ModelFileError
+from freebody.model import Model
+from freebody.simulation import Trajectory
 
 from .build import build_initial_state, build_model
 from .problems import Source

@@ -152,11 +152,9 @@ class Simulation(Section):
         default=None, description="the integrator"
     )
     rtol: Tolerance = Field(default=None, description="relative tolerance")
-    atol: Annotated[float | Array | None, Quantity("", (), (None,), positive=True)] = Field(
-        default=None, description="absolute tolerance, one number or one for each state"
-    )
+    atol: Tolerance = Field(default=None, description="absolute tolerance, SI units")
     step: Duration = Field(default=None, description="the step of rk4, the first step of the others")
-    max_steps: int | None = Field(default=None, description="the run ends there at the latest")
+    max_steps: int | None = Field(default=None, ge=1, description="the run ends there at the latest")
 
     @model_validator(mode="after")
     def _check(self) -> Simulation:
@@ -207,5 +205,10 @@ class ModelFile(Section):
     def _check(self) -> ModelFile:
         self.exactly_one("body", "parts")
         if self.parts == []:
-            raise FieldError("parts needs at least one part")
+            raise FieldError("needs at least one part", ("parts",))
+        times, start, end = self.output.save_at, self.simulation.start, self.simulation.end
+        if times is not None and (times[0] < start or times[-1] > end or np.any(np.diff(times) <= 0)):
+            raise FieldError(
+                f"the times must rise from {start:g} to {end:g} s at most", ("output", "save_at")
+            )
         return self

@@ -8,7 +8,7 @@ from numpy.typing import ArrayLike
 from freebody import _check
 from freebody._check import Array
 from freebody.errors import InputError
-from freebody.tables import Interpolation, table_times
+from freebody.tables import Interpolation, check_slopes, table_times
 
 __all__ = ["InputTable", "constant_inputs"]
 
@@ -23,17 +23,20 @@ class InputTable:
     values
         (n, n_inputs), in the units of the model's inputs.
     interpolation
-        "linear" between the rows, or "hold": each row until the next. The first and the last row hold outside.
+        "linear" between the rows, or "hold": each row until the next. The first and the last row hold
+        outside.
     """
 
     def __init__(self, times: ArrayLike, values: ArrayLike, interpolation: Interpolation = "linear") -> None:
         self.times = table_times(times)
-        shape = np.shape(values)
-        self.values = _check.vector("values", values, len(self.times), shape[1] if len(shape) == 2 else 1)
+        self.values = _check.columns("values", values, len(self.times))
         self.interpolation = _check.choice("interpolation", interpolation, ("linear", "hold"))
+        if interpolation == "linear":
+            check_slopes("values", self.times, self.values)
 
-    def at(self, t: Array) -> Array:
-        """The inputs (m, n_inputs) at times (m,); at a jump the later row."""
+    def at(self, t: ArrayLike) -> Array:
+        """The inputs (m, n_inputs) at times (m,) s; at a jump the later row."""
+        t = _check.series("t", t)
         later = np.searchsorted(self.times, t, side="right")
         before, after = np.maximum(later - 1, 0), np.minimum(later, len(self.times) - 1)
         if self.interpolation == "hold":

@@ -71,11 +71,16 @@ class Conserved:
         Which one.
     reference
         Its size, to which the drift relates.
-    drift
-        The largest deviation from its value at the start, relative to the reference.
+    history
+        Deviation from the value at the start at each sample, relative to the reference, (n,).
     """
 
     name: str
     unit: str
     reference: float
-    drift: float
+    history: Array
+
+    @property
+    def drift(self) -> float:
+        """The largest deviation from the value at the start, relative to the reference."""
+        return float(self.history.max())

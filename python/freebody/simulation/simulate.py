@@ -51,7 +51,9 @@ def simulate(
         raise InputError("step: rk4 has a fixed step; give its size in s")
     first = None if step is None else _check.number("step", step, positive=True)
     times = _sample_times(span, save_every, save_at)
-    limit = _check.number("max_steps", max_steps, positive=True)
+    limit = _check.count("max_steps", max_steps)
+    if progress is not None and not callable(progress):
+        raise InputError(f"progress: got {_check.shown(progress)}; give a function of the part done")
     table = inputs if isinstance(inputs, InputTable) else None
     if table is not None and table.values.shape[1] != model.n_inputs:
         raise InputError(
@@ -70,12 +72,12 @@ def simulate(
         method=method,
         tolerance=tolerance,
         step=first,
-        max_steps=int(limit),
+        max_steps=limit,
         progress=progress,
     )
     wall_time = time.perf_counter() - began
     t, x = result.samples()
-    u = np.tile(constant, (len(t), 1)) if table is None else table.at(t)
+    u = np.tile(constant, (len(t), 1)) if table is None else table.at(t) if len(t) else table.values[:0]
     changes = tuple(_change(model.attitude, *change) for change in result.chart_changes)
     return Trajectory(model, (t, x, u), _outcome(model, result, span), changes, result.counts, wall_time)
 
@@ -84,6 +86,8 @@ def _span(t_span: tuple[float, float]) -> tuple[float, float]:
     t0, t1 = _check.vector("t_span", t_span, 2).tolist()
     if not t1 > t0:
         raise InputError(f"t_span: got ({t0}, {t1}) s; the end must lie after the start")
+    if t1 - t0 == float("inf"):
+        raise InputError(f"t_span: got ({t0}, {t1}) s; the time between them is too long for doubles")
     return t0, t1
 
 
@@ -111,15 +115,15 @@ def _sample_times(
         if count > 1e8:
             raise InputError(f"save_every: {interval} s makes {count:.3g} samples; allowed are up to 1e8")
         times = t0 + interval * np.arange(int(count * (1.0 + 1e-12)) + 1)
-        # The end is always a sample; a last interval that differs by rounding only is no interval.
-        times = times[times < t1 - 1e-9 * interval]
-        return np.append(times, t1)
+        # Start and end are always samples; a last interval that differs by rounding only is no interval.
+        inside = times[1:][times[1:] < t1 - 1e-9 * interval]
+        times = np.concatenate([[t0], inside, [t1]])
+        if (np.diff(times) <= 0.0).any():
+            raise InputError(f"save_every: {interval} s is less than doubles resolve between {t0} and {t1} s")
+        return times
     if save_at is None:
         return None
-    shape = np.shape(save_at)
-    if len(shape) != 1:
-        raise InputError(f"save_at: got shape {shape}; allowed is (n,) with n of at least 1")
-    times = _check.vector("save_at", save_at, *shape)
+    times = _check.series("save_at", save_at)
     if times[0] < t0 or times[-1] > t1 or (np.diff(times) <= 0.0).any():
         raise InputError(f"save_at: the times must rise and lie within the span, {t0} to {t1} s")
     return times
@@ -140,8 +144,8 @@ def _outcome(model: Model, result: _core.RunResult, span: tuple[float, float]) -
     force = None if result.force is None else model.acting_names[result.force]
     message = {
         "reached_end": f"reached the end at t = {t:g} s",
-        "step_too_small": f"the step became too small at t = {t:.9g} of {end:g} s; loosen rtol or atol, or look "
-        "for a force that jumps there",
+        "step_too_small": f"the step became too small at t = {t:.9g} of {end:g} s; loosen rtol or atol, or "
+        "look for a force that jumps there",
         "step_limit": f"stopped by max_steps at t = {t:.9g} of {end:g} s; raise max_steps or loosen rtol",
         "non_finite": f"the derivative is not finite at t = {t:.9g} of {end:g} s; "
         + (f"force '{force}' made it so" if force else "the motion grew beyond all numbers"),

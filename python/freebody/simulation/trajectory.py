@@ -30,7 +30,8 @@ class Trajectory:
     model
         What was simulated.
     t, x, u
-        Times (n,) s, states (n, n_states) and inputs (n, n_inputs), as `model.state_names` and so on name them.
+        Times (n,) s, states (n, n_states) and inputs (n, n_inputs), as `model.state_names` and so on name
+        them.
     outcome
         How the run ended.
     chart_changes
@@ -92,20 +93,22 @@ class Trajectory:
     @cached_property
     def world_from_body(self) -> Array:
         """Attitude as rotation matrices, (n, 3, 3)."""
-        return forms.rotation_from_quaternion(self.quaternion)
+        # A run that ended before its first sample has none.
+        return forms.rotation_from_quaternion(self.quaternion) if len(self) else np.empty((0, 3, 3))
 
     def angles(self, sequence: str | None = None) -> Array:
         """Attitude as angles of a sequence, (n, 3) rad; by default that of the model.
 
-        In the model's own sequence these are the angles of the state, which go on through a singularity. In any
-        other the second angle lies in [0, π] (proper Euler) or [-π/2, π/2] (Tait-Bryan).
+        In the model's own sequence these are the angles of the state, which go on through a singularity. In
+        any other the second angle lies in [0, π] (proper Euler) or [-π/2, π/2] (Tait-Bryan).
         """
         own = self.model.attitude
         if sequence is None and own == "quaternion":
             raise InputError(f"sequence: give one of {', '.join(_check.SEQUENCES)}; the model has no angles")
-        if sequence in (None, own):
+        wanted = own if sequence is None else _check.sequence(sequence, "sequence")
+        if wanted == own:
             return self.x[:, 3:6]
-        return forms.angles_from_rotation(self.world_from_body, _check.sequence(str(sequence)))
+        return forms.angles_from_rotation(self.world_from_body, wanted) if len(self) else np.empty((0, 3))
 
     @property
     def velocity_body(self) -> Array:
@@ -128,7 +131,7 @@ class Trajectory:
         return self._to_world(self.angular_velocity_body)
 
     def point(self, point: ArrayLike) -> Array:
-        """Path of the material point at `point` (3,) m, body axes from the body origin: (n, 3) m, world axes."""
+        """Path (n, 3) m, world axes, of the material point at `point` (3,) m, body axes from the origin."""
         return self.position_world + self.world_from_body @ _check.vector("point", point, 3)
 
     @cached_property
@@ -176,7 +179,7 @@ class Trajectory:
         return conserved(self)
 
     def to_xarray(self) -> xarray.Dataset:
-        """State, inputs and what is read off them as a labelled dataset, with names and units (extra `data`)."""
+        """The motion, what is read off it and the inputs as a labelled dataset with units (extra `data`)."""
         from freebody.results import to_dataset  # noqa: PLC0415  (an extra: only who asks needs xarray)
 
         return to_dataset(self)

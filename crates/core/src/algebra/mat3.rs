@@ -61,11 +61,6 @@ impl<T: Real> Mat3<T> {
         let o = T::zero();
         Self::from_rows(Vec3::new(o, -a.z, a.y), Vec3::new(a.z, o, -a.x), Vec3::new(-a.y, a.x, o))
     }
-    /// The dyad `a bᵀ`.
-    #[inline(always)]
-    pub fn outer(a: Vec3<T>, b: Vec3<T>) -> Self {
-        Self::from_rows(b.scale(a.x), b.scale(a.y), b.scale(a.z))
-    }
     /// The transpose.
     #[inline(always)]
     pub fn transpose(self) -> Self {

@@ -40,10 +40,11 @@ impl Sequence {
         self.axes[0] == self.axes[2]
     }
 
-    /// The distance of the second angle to the nearest singular one, rad: asin |det M0|.
+    /// The distance of the second angle to the nearest singular one, rad, from 0 to π/2.
     pub fn singularity_distance(self, alpha: [f64; 3]) -> f64 {
         let (s, c) = alpha[1].sin_cos();
-        if self.is_proper_euler() { s.abs().asin() } else { c.abs().asin() }
+        let (near, far) = if self.is_proper_euler() { (s, c) } else { (c, s) };
+        near.abs().atan2(far.abs())
     }
 
     /// +1 when i1 → i2 is a step of the cycle x → y → z → x, else −1.

@@ -3,7 +3,8 @@
 mod validity;
 
 pub use validity::{
-    BodyDefect, check_com, check_mass, from_tensor_about_com, from_tensor_about_origin, principal_moments,
+    BodyDefect, check_com, check_mass, from_other_bodies, from_tensor_about_com, from_tensor_about_origin,
+    principal_moments,
 };
 
 use crate::algebra::{Mat3, Mat6, Sym3, Vec3};

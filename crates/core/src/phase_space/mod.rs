@@ -9,7 +9,7 @@ pub use state::RigidState;
 
 use crate::algebra::Vec3;
 use crate::charts::Sequence;
-use crate::generalized::{Generalized, acceleration_by_blocks};
+use crate::generalized::Generalized;
 use crate::inertia::Inertia;
 use crate::integrators::Block;
 use crate::scalar::Real;
@@ -39,15 +39,4 @@ pub fn phase_velocity<T: Real>(body: &Inertia<T>, sequence: Sequence, x: &[T], w
     q_dot.store(&mut dx[..6]);
     g.acceleration_2_7(q_dot, wrench).store(&mut dx[6..]);
     dx
-}
-
-/// q̈ of the running form, for comparison with the literal ones. Konoplev (2.7)
-pub fn generalized_acceleration<T: Real>(
-    body: &Inertia<T>,
-    sequence: Sequence,
-    alpha: Vec3<T>,
-    q_dot: Screw<T>,
-    wrench: Screw<T>,
-) -> Screw<T> {
-    acceleration_by_blocks(body, &crate::charts::AngleChart::new(sequence, alpha), q_dot, wrench)
 }

@@ -1,8 +1,10 @@
 //! One trajectory from start to end: samples, jumps in time, changes of chart, and how it ended.
 
+mod branch;
 mod inputs;
 mod motion;
 mod run;
+mod samples;
 
 pub use inputs::Inputs;
 

@@ -28,6 +28,7 @@ pub fn run<T: Lane, M: Method>(
         stepper: Stepper::new(task.tolerance),
         current: 0,
         last: task.x0.to_vec(),
+        last_time: task.span[0],
         run: Run {
             times: Vec::new(),
             states: Vec::new(),
@@ -47,18 +48,20 @@ pub fn run<T: Lane, M: Method>(
 }
 
 /// A run on its way: the model as asked for and the same in quaternions, one of them at work.
-struct Driver<'a, T, M> {
-    task: &'a Task<'a>,
-    models: [&'a FreeBody<f64>; 2],
-    motions: [Motion<'a, T>; 2],
-    stepper: Stepper<T, M>,
+pub(super) struct Driver<'a, T, M> {
+    pub(super) task: &'a Task<'a>,
+    pub(super) models: [&'a FreeBody<f64>; 2],
+    pub(super) motions: [Motion<'a, T>; 2],
+    pub(super) stepper: Stepper<T, M>,
     /// Which of the two is at work: 0 as asked for, 1 in quaternions.
-    current: usize,
-    /// The state in the chart asked for, after the last step.
-    last: Vec<f64>,
-    run: Run,
+    pub(super) current: usize,
+    /// The state in the chart asked for, after the last step or sample.
+    pub(super) last: Vec<f64>,
+    /// When that was, s.
+    pub(super) last_time: f64,
+    pub(super) run: Run,
     /// How many of the wanted times are done.
-    saved: usize,
+    pub(super) saved: usize,
 }
 
 const ONE: Lanes = Lanes::one(0);
@@ -111,8 +114,9 @@ impl<T: Lane, M: Method> Driver<'_, T, M> {
 
     /// One trial step; how the run ended if it cannot go on.
     fn step(&mut self, limit: f64) -> Option<Ending> {
-        let trial = self.stepper.attempt(&self.motions[self.current], T::lit(limit));
         let angles = self.current == 0;
+        let limit = if angles { self.before_singularity(limit) } else { limit };
+        let trial = self.stepper.attempt(&self.motions[self.current], T::lit(limit));
         if !trial.stopped.is_empty() {
             if angles && self.asked_distance() < COME_BACK {
                 self.change_chart(true);
@@ -125,28 +129,39 @@ impl<T: Lane, M: Method> Driver<'_, T, M> {
         }
         if trial.accepted.is_empty() {
             self.run.rejected += 1;
-        } else if angles && self.trial_nears_singularity() {
+            self.stepper.commit(&self.motions[self.current]);
+        } else if angles && self.trial_goes_too_far() {
             // The step is not taken: it is tried again in quaternions.
             self.run.rejected += 1;
             self.change_chart(true);
-            return None;
         } else {
-            self.run.steps += 1;
-            self.save_inside();
+            self.take_step();
         }
+        None
+    }
+
+    /// Commits the accepted trial step and changes the chart where that is due.
+    fn take_step(&mut self) {
+        self.run.steps += 1;
+        let before = self.asked_distance();
+        self.save_inside();
         self.stepper.commit(&self.motions[self.current]);
-        if !trial.accepted.is_empty() {
-            let y: Vec<f64> = self.stepper.y().iter().map(|v| v.get(0)).collect();
-            self.last = self.as_asked(&y);
-            if self.task.save_at.is_none() {
-                let x = self.last.clone();
-                self.save(self.time(), &x);
-            }
-            if self.current == 1 && self.asked_distance() > COME_BACK {
+        let y: Vec<f64> = self.stepper.y().iter().map(|v| v.get(0)).collect();
+        self.last = self.as_asked(&y);
+        self.last_time = self.time();
+        if self.task.save_at.is_none() {
+            let x = self.last.clone();
+            self.save(self.time(), &x);
+        }
+        let distance = self.asked_distance();
+        if self.current == 0 && distance < LEAVE {
+            self.change_chart(true);
+        } else if self.current == 1 && distance.is_finite() && distance > COME_BACK {
+            // While it still approaches, it would only have to leave again.
+            if distance > before || distance > 2.0 * COME_BACK {
                 self.change_chart(false);
             }
         }
-        None
     }
 
     fn time(&self) -> f64 {
@@ -158,12 +173,26 @@ impl<T: Lane, M: Method> Driver<'_, T, M> {
         self.models[0].singularity_distance(&self.last).unwrap_or(f64::INFINITY)
     }
 
-    /// Whether the trial step ends near the singularity, or may have passed it.
-    fn trial_nears_singularity(&self) -> bool {
+    /// When the second angle will be near its singularity if it goes on as now, or the limit if that is sooner:
+    /// a long step must not leap over it. Fixed steps stay as they are.
+    fn before_singularity(&self, limit: f64) -> f64 {
+        let distance = self.asked_distance();
+        if M::ERROR.is_empty() || distance.is_infinite() {
+            return limit;
+        }
+        let rate = self.stepper.derivative()[4].get(0).abs();
+        let soon = self.time() + (distance - 0.5 * LEAVE).max(0.5 * LEAVE) / rate;
+        if soon < limit { soon } else { limit }
+    }
+
+    /// Whether the trial step in angles ends too near to the singularity, or may have passed it.
+    fn trial_goes_too_far(&self) -> bool {
         let y: Vec<f64> = self.stepper.trial_y().iter().map(|v| v.get(0)).collect();
         let Some(distance) = self.models[0].singularity_distance(&y) else { return false };
+        // The error of a fixed step is not watched: it keeps away altogether.
+        let allowed = if M::ERROR.is_empty() { LEAVE } else { 0.25 * LEAVE };
         // The second angle cannot pass the singularity without moving by both distances.
-        distance < LEAVE || (y[4] - self.last[4]).abs() >= distance + self.asked_distance()
+        distance < allowed || (y[4] - self.last[4]).abs() >= distance + self.asked_distance()
     }
 
     /// The last state in the chart of either model.
@@ -178,7 +207,7 @@ impl<T: Lane, M: Method> Driver<'_, T, M> {
         y.iter().map(|v| T::lit(*v)).collect()
     }
 
-    /// A state of the model at work, in the chart asked for.
+    /// A state of the model at work, in the chart asked for; of its angle triples the one nearest to the last.
     fn as_asked(&self, y: &[f64]) -> Vec<f64> {
         if self.current == 0 {
             return y.to_vec();
@@ -196,33 +225,14 @@ impl<T: Lane, M: Method> Driver<'_, T, M> {
     }
 
     fn note_change(&mut self, time: f64, left: bool) {
-        let distance = self.asked_distance();
-        self.run.chart_changes.push(ChartChange { time, left, distance });
-    }
-
-    /// Saves the wanted times inside the accepted trial step.
-    fn save_inside(&mut self) {
-        let Some(wanted) = self.task.save_at else { return };
-        let end = self.stepper.trial_t().get(0);
-        if wanted.get(self.saved).is_none_or(|t| *t > end) {
+        let changes = &mut self.run.chart_changes;
+        // A change at the moment of the one before takes it back.
+        if changes.last().is_some_and(|c| c.time == time) {
+            changes.pop();
             return;
         }
-        self.stepper.dense(&self.motions[self.current]);
-        let model = self.models[self.current];
-        let n = <FreeBody<f64> as Dynamics<f64>>::state_size(model);
-        let mut y = vec![0.0; n];
-        while let Some(t) = wanted.get(self.saved).filter(|t| **t <= end) {
-            self.stepper.interpolate_lane(0, *t, &mut y);
-            Dynamics::<f64>::project(model, &mut y);
-            let x = self.as_asked(&y);
-            self.save(*t, &x);
-            self.saved += 1;
-        }
-    }
-
-    fn save(&mut self, t: f64, x: &[f64]) {
-        self.run.times.push(t);
-        self.run.states.extend_from_slice(x);
+        let distance = self.asked_distance();
+        self.run.chart_changes.push(ChartChange { time, left, distance });
     }
 
     /// The force whose wrench is not finite at the last state, if there is one.
