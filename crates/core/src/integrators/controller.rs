@@ -19,7 +19,7 @@ impl Tolerance {
     pub(super) fn weight<T: Lane>(&self, block: &Block, y0: &[T], y1: &[T]) -> T {
         let relative = self.relative * self.relative;
         let squared = match block.scale {
-            ErrorScale::Unit => T::lit(relative),
+            ErrorScale::Fixed(size) => T::lit(relative * size * size),
             ErrorScale::Relative => {
                 let range = block.start..block.start + block.len;
                 let (y0, y1) = (squared_length(&y0[range.clone()]), squared_length(&y1[range]));
@@ -40,22 +40,24 @@ impl Tolerance {
         y1: &[T],
         rows: [&[T]; 2],
     ) -> T {
-        let mut sum = [T::zero(); 2];
+        let (mut largest, mut poison) = (T::zero(), T::zero());
         for block in blocks {
             let weight = self.weight(block, y0, y1);
-            for (sum, row) in sum.iter_mut().zip(rows).take(M::ERROR.len()) {
-                *sum = weight.fma(squared_length(&row[block.start..block.start + block.len]), *sum);
-            }
+            let [high, low] = rows.map(
+                #[inline(always)]
+                |row| weight * squared_length(&row[block.start..block.start + block.len]),
+            );
+            let error = if M::ERROR.len() == 2 {
+                let steadied = T::lit(0.01).fma(low, high).max(T::lit(f64::MIN_POSITIVE));
+                high * high / steadied
+            } else {
+                high
+            };
+            largest = largest.max(error);
+            poison = error.fma(T::zero(), poison);
         }
-        let mean = 1.0 / blocks.len().max(1) as f64;
-        let [high, low] = sum;
-        let error = if M::ERROR.len() == 2 {
-            let steadied = T::lit(0.01).fma(low, high).max(T::lit(f64::MIN_POSITIVE));
-            high * high / steadied
-        } else {
-            high
-        };
-        error * T::lit(mean)
+        // A comparison forgets an error that is not finite, a sum does not.
+        largest + poison
     }
 }
 

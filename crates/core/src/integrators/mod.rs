@@ -45,7 +45,7 @@ pub trait System<T> {
 }
 
 /// A vector within the state whose error is measured by its length, however its axes are turned.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Block {
     /// Index of the first component.
     pub start: usize,
@@ -56,19 +56,20 @@ pub struct Block {
 }
 
 /// What the error of a [`Block`] is compared with.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub enum ErrorScale {
     /// The length of the block: `absolute + relative · length`, taken as a root of squares.
     Relative,
-    /// One, as for angles and unit quaternions: `relative`.
-    Unit,
+    /// This size, whatever the block: `relative · size`. One for angles; a half for unit quaternions, whose error
+    /// is half of the angle that it means.
+    Fixed(f64),
 }
 
 /// The error allowed to one step.
 ///
 /// With `e_b` the estimated error of block `b` and `y0_b`, `y1_b` its values at both ends of the step,
-/// a step is accepted when the mean over the blocks of `|e_b|² / s_b²` is at most one, where
-/// `s_b² = absolute² + relative² max(|y0_b|², |y1_b|²)`, or `relative²` for [`ErrorScale::Unit`].
+/// a step is accepted when `|e_b|² / s_b²` is at most one for every block, where
+/// `s_b² = absolute² + relative² max(|y0_b|², |y1_b|²)`, or `relative² size²` for [`ErrorScale::Fixed`].
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Tolerance {
     /// Relative to the length of a block.

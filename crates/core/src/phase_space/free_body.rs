@@ -157,9 +157,10 @@ impl<T: Real> Dynamics<T> for FreeBody<T> {
     fn error_blocks(&self) -> Vec<Block> {
         let n = self.velocities();
         let rates = self.state_size() - n - 3;
+        let radian = if self.chart == Chart::Quaternion { 0.5 } else { 1.0 };
         vec![
             Block { start: 0, len: 3, scale: ErrorScale::Relative },
-            Block { start: 3, len: n - 3, scale: ErrorScale::Unit },
+            Block { start: 3, len: n - 3, scale: ErrorScale::Fixed(radian) },
             Block { start: n, len: 3, scale: ErrorScale::Relative },
             Block { start: n + 3, len: rates, scale: ErrorScale::Relative },
         ]

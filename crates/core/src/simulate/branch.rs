@@ -4,6 +4,8 @@ use crate::phase_space::{Chart, FreeBody, RigidState};
 
 /// Nearer to the singularity than this, rad, the angles turn too fast to be followed, and any triple will do.
 const NOWHERE: f64 = 1e-6;
+/// The shortest piece of a way that is looked at, as a part of it.
+const SHORTEST: f64 = 1e-6;
 
 /// Moves a state in the angles of `model` along a motion from one time to another.
 ///
@@ -16,17 +18,18 @@ pub fn follow(
     motion: impl Fn(f64) -> RigidState,
 ) {
     let (mut t, mut next) = (from, to);
+    let least = SHORTEST * (to - from);
     let mut at = motion(t);
     while t < to {
         let ahead = motion(next);
         let mut x = state.clone();
         model.write_state(&ahead, state, &mut x);
-        let middle = 0.5 * (t + next);
         let distance = [&*state, &x].map(|x| model.singularity_distance(x).unwrap_or(f64::INFINITY));
         let near = distance[0].min(distance[1]).max(NOWHERE);
-        let short = [&at, &ahead].into_iter().all(|s| is_short(model.chart, next - t, s, near));
-        if short || middle <= t || next <= middle {
-            let piece = next - t;
+        let piece = next - t;
+        let short = [&at, &ahead].into_iter().all(|s| is_short(model.chart, piece, s, near));
+        let middle = t + 0.5 * piece;
+        if short || piece <= least || middle <= t {
             (t, at, *state) = (next, ahead, x);
             next = to.min(t + 2.0 * piece);
         } else {

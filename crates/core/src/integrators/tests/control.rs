@@ -155,7 +155,7 @@ impl System<f64> for Circle {
         (y[0], y[1]) = (y[0] / length, y[1] / length);
     }
     fn error_blocks(&self) -> &[Block] {
-        &[Block { start: 0, len: 2, scale: ErrorScale::Unit }]
+        &[Block { start: 0, len: 2, scale: ErrorScale::Fixed(1.0) }]
     }
 }
 
