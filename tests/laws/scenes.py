@@ -59,7 +59,7 @@ def relative(got: Array, expected: Array) -> float:
 
 
 def motion_gap(run: fb.Trajectory, other: fb.Trajectory) -> float:
-    """How far two runs lie apart in position, attitude (rad) and both velocities, each relative to its size."""
+    """How far two runs lie apart: position and both velocities relative to their sizes, attitude in rad."""
     return max(
         relative(run.position_world, other.position_world),
         float(np.abs(run.world_from_body - other.world_from_body).max()),

@@ -4,6 +4,7 @@ import re
 import subprocess
 import sys
 from functools import cache
+from pathlib import Path
 
 import pytest
 
@@ -61,15 +62,32 @@ def test_internal_links_resolve(page):
         assert (page.parent / target).exists(), target
 
 
-def test_every_path_in_the_architectures_tree_exists():
+def architecture_tree() -> list[Path]:
+    """The paths of ARCHITECTURE's tree."""
     (tree,) = blocks(ROOT / "ARCHITECTURE.md", "text")
+    paths: list[Path] = []
     folders: list[str] = []
-    for line in tree.splitlines():
-        match = re.match(r"( *)(\S+)", line)
-        assert match, line
-        depth = len(match[1]) // 2
-        folders[depth:] = [match[2]]
-        assert ROOT.joinpath(*folders).exists(), line
+    for indent, name in re.findall(r"^( *)(\S+)", tree, re.MULTILINE):
+        folders[len(indent) // 2 :] = [name]
+        paths.append(ROOT.joinpath(*folders))
+    return paths
+
+
+def test_every_path_in_the_architectures_tree_exists():
+    assert [path for path in architecture_tree() if not path.exists()] == []
+
+
+@pytest.mark.parametrize("folder", ["crates/core/src", "python/freebody"])
+def test_every_module_is_in_the_architectures_tree(folder):
+    private = re.compile(r"_|lib\.rs|py\.typed|tests$")
+    modules = {path for path in ROOT.joinpath(folder).iterdir() if not private.match(path.name)}
+    assert modules - set(architecture_tree()) == set()
+
+
+def test_the_readme_lists_the_shipped_models():
+    shipped = {path.stem for path in ROOT.glob("models/*.toml")}
+    listed = set(re.findall(r"`(\w+)`", README.read_text().split("## Models shipped")[1].split("##")[0]))
+    assert listed == shipped
 
 
 def test_the_readme_opens_with_the_two_commands():

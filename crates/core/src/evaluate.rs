@@ -1,11 +1,12 @@
 //! A body made ready for this machine: f and its Jacobians at single states, on the best instruction set.
 
 use crate::linearize;
-use crate::phase_space::{Dynamics, FreeBody};
+use crate::phase_space::FreeBody;
+use crate::phase_space::parts::{Parts, Sizes};
 use crate::scalar::isa::{Isa, with_lanes};
-use crate::scalar::{Dual, Lane, Real};
+use crate::scalar::{Dual, Lane};
 
-/// Numbers up to this count are passed on the stack.
+/// Inputs up to this count are passed on the stack.
 const ON_STACK: usize = 16;
 
 /// Directions a lane holds in one pass of a Jacobian: enough for 13 states and 6 inputs in eight lanes.
@@ -23,37 +24,35 @@ struct On<S, L> {
     duals: FreeBody<Dual<L, DIRECTIONS>>,
 }
 
-/// Numbers of a slice as another scalar.
+/// The number that a one-number type holds.
 #[inline(always)]
-fn fill<S: Real>(to: &mut [S], from: &[f64]) {
-    for (a, b) in to.iter_mut().zip(from) {
-        *a = S::lit(*b);
-    }
+fn number<S: Lane>(x: S) -> f64 {
+    x.get(0)
 }
 
 impl<S: Lane, L: Lane> Evaluate for On<S, L> {
     fn derivative(&self, t: f64, x: &[f64], u: &[f64], dx: &mut [f64]) {
-        S::call(
+        // `S` rounds as a lane of `L` does, and in its instruction set it has more registers than in its own.
+        L::call(
             #[inline(always)]
             || {
-                let (n, m) = (x.len(), u.len());
-                let mut stack = [S::zero(); 3 * ON_STACK];
+                let mut stack = [S::zero(); ON_STACK];
                 let mut heap = Vec::new();
-                let all = if n <= ON_STACK && m <= ON_STACK {
-                    &mut stack[..]
+                let input = if u.len() <= ON_STACK {
+                    &mut stack[..u.len()]
                 } else {
-                    heap.resize(2 * n + m, S::zero());
+                    heap.resize(u.len(), S::zero());
                     &mut heap[..]
                 };
-                let (state, rest) = all.split_at_mut(n);
-                let (input, rest) = rest.split_at_mut(m);
-                let rate = &mut rest[..n];
-                fill(state, x);
-                fill(input, u);
-                self.values.derivative(S::lit(t), state, input, rate);
-                for (a, b) in dx.iter_mut().zip(rate) {
-                    *a = b.get(0);
+                for (a, b) in input.iter_mut().zip(u) {
+                    *a = S::lit(*b);
                 }
+                let (sizes, all) = (self.values.sizes(), Sizes::LARGEST);
+                let mut state = [S::zero(); Sizes::LARGEST.state()];
+                let mut rate = state;
+                Parts::of(x, sizes).convert(Parts::of_mut(&mut state, all), S::lit);
+                self.values.rate(S::lit(t), Parts::of(&state, all), input, Parts::of_mut(&mut rate, all));
+                Parts::of(&rate, all).convert(Parts::of_mut(dx, sizes), number);
             },
         );
     }

@@ -82,7 +82,7 @@ impl<T: Real> Generalized<T> {
 /// ö = C(v* + ω × v), world axes. Konoplev (2.7), upper block
 #[inline(always)]
 pub fn origin_acceleration<T: Real>(rotation: Mat3<T>, twist: Screw<T>, rate: Screw<T>) -> Vec3<T> {
-    rotation.apply(rate.linear + twist.angular.cross(twist.linear))
+    rotation.apply(twist.angular.cross_add(twist.linear, rate.linear))
 }
 
 /// α̈ = M1⁻¹(ω* − CᵀṀ0α̇). Konoplev (2.7), lower block

@@ -18,3 +18,5 @@ pub mod phase_space;
 pub mod scalar;
 pub mod screw;
 pub mod simulate;
+#[cfg(test)]
+mod tests;

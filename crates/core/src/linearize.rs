@@ -6,7 +6,7 @@ use crate::scalar::{Dual, Lane, Real};
 /// Writes ∂f/∂x (n×n) and ∂f/∂u (n×m), by rows. Konoplev (3.2)
 ///
 /// All lanes hold the one state, and each lane `K` directions of its own: only the seeds differ.
-/// Call inside [`Lane::call`].
+/// Call inside [`Real::call`].
 #[inline(always)]
 pub fn jacobian<L: Lane, const K: usize, D: Dynamics<Dual<L, K>>>(
     dynamics: &D,

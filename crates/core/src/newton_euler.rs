@@ -46,15 +46,15 @@ pub fn acceleration<T: Real>(body: &Inertia<T>, twist: Screw<T>, wrench: Screw<T
 
 /// V* of (1.8) for a wrench about the mass centre: the form that runs. Konoplev (1.8)
 ///
-/// ω* = Jc⁻¹(M_c − ω × Jc ω) and v* = f/m − ω × (v + ω × r_c) + r_c × ω*. A weight has no moment about the
+/// ω* = Jc⁻¹(M_c + Jc ω × ω) and v* = f/m + (v + ω × r_c) × ω + r_c × ω*. A weight has no moment about the
 /// mass centre; about the origin its moment would cancel only to the rounding of m g |r_c|.
 #[inline(always)]
 pub fn acceleration_about_com<T: Real>(body: &Inertia<T>, twist: Screw<T>, wrench: Screw<T>) -> Screw<T> {
     let (v, w) = (twist.linear, twist.angular);
-    let gyroscopic = w.cross(body.about_com.apply(w));
-    let rate = body.solve_about_com(Screw::new(wrench.linear, wrench.angular - gyroscopic));
-    let com_velocity = v + w.cross(body.com);
-    Screw::new(rate.linear - w.cross(com_velocity), rate.angular)
+    let com_velocity = w.cross_add(body.com, v);
+    let moment = body.about_com.apply(w).cross_add(w, wrench.angular);
+    let rate = body.solve_about_com(Screw::new(wrench.linear, moment));
+    Screw::new(com_velocity.cross_add(w, rate.linear), rate.angular)
 }
 
 /// The 6×10 matrix Y of ΘV* + ΦΘV = Y(V, V*) θ, by columns; θ are [`Inertia::parameters`].

@@ -74,6 +74,15 @@ impl<T: Real> Vec3<T> {
             self.x.fma(o.y, -(self.y * o.x)),
         )
     }
+    /// `self × o + p`.
+    #[inline(always)]
+    pub fn cross_add(self, o: Self, p: Self) -> Self {
+        Self::new(
+            self.y.fma(o.z, (-self.z).fma(o.y, p.x)),
+            self.z.fma(o.x, (-self.x).fma(o.z, p.y)),
+            self.x.fma(o.y, (-self.y).fma(o.x, p.z)),
+        )
+    }
     /// The product with a number.
     #[inline(always)]
     pub fn scale(self, s: T) -> Self {

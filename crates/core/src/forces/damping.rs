@@ -25,6 +25,7 @@ impl<T: Real> Coefficients<T> {
     }
 
     /// The numbers passed through `f`.
+    #[inline(always)]
     fn map<U: Real>(&self, f: &mut impl FnMut(T) -> U) -> Coefficients<U> {
         match self {
             Self::Diagonal(d) => Coefficients::Diagonal(d.map(f)),
@@ -50,7 +51,7 @@ fn absolute<T: Real>(a: Vec3<T>) -> Vec3<T> {
 /// A wrench about the body origin, taken about the mass centre.
 #[inline(always)]
 fn shifted<T: Real>(wrench: Screw<T>, s: &Situation<'_, T>) -> Screw<T> {
-    Screw::new(wrench.linear, wrench.angular - s.inertia.com.cross(wrench.linear))
+    Screw::new(wrench.linear, wrench.linear.cross_add(s.inertia.com, wrench.angular))
 }
 
 /// F = −D V, with V the twist of the body origin in body axes.
@@ -69,6 +70,7 @@ impl<T: Real> LinearDamping<T> {
     }
 
     /// The parameters passed through `f`.
+    #[inline(always)]
     pub fn map<U: Real>(&self, f: &mut impl FnMut(T) -> U) -> LinearDamping<U> {
         LinearDamping { coefficients: self.coefficients.map(f) }
     }
@@ -92,6 +94,7 @@ impl<T: Real> QuadraticDamping<T> {
     }
 
     /// The parameters passed through `f`.
+    #[inline(always)]
     pub fn map<U: Real>(&self, f: &mut impl FnMut(T) -> U) -> QuadraticDamping<U> {
         QuadraticDamping { coefficients: self.coefficients.map(f) }
     }

@@ -26,6 +26,7 @@ impl<T: Real> UniformGravity<T> {
     }
 
     /// The parameters passed through `f`.
+    #[inline(always)]
     pub fn map<U: Real>(&self, f: &mut impl FnMut(T) -> U) -> UniformGravity<U> {
         UniformGravity { acceleration: self.acceleration.map(f) }
     }

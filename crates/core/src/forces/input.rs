@@ -27,6 +27,7 @@ impl<T: Real> InputWrench<T> {
     }
 
     /// The parameters passed through `f`.
+    #[inline(always)]
     pub fn map<U: Real>(&self, f: &mut impl FnMut(T) -> U) -> InputWrench<U> {
         InputWrench { first: self.first, at: self.at.map(f), axes: self.axes }
     }

@@ -66,26 +66,38 @@ pub enum Force<T> {
     InputWrench(InputWrench<T>),
 }
 
-/// Calls the same method on whichever element it is.
-macro_rules! each {
-    ($self:expr, $f:ident => $call:expr) => {
-        match $self {
-            Force::UniformGravity($f) => $call,
-            Force::PointMassGravity($f) => $call,
-            Force::ConstantWrench($f) => $call,
-            Force::TabulatedWrench($f) => $call,
-            Force::LinearDamping($f) => $call,
-            Force::QuadraticDamping($f) => $call,
-            Force::InputWrench($f) => $call,
-        }
-    };
+/// The wrench of an element, computed in code of its own.
+///
+/// Were the longer elements inlined into the loop over all of them, the compiler would compute what they
+/// need before the loop, in models without them too. Situation and wrench are copied, so that the
+/// originals can stay in registers.
+macro_rules! apart {
+    ($force:expr, $s:expr) => {{
+        let (s, mut wrench) = (*$s, [T::zero(); 6]);
+        T::call(
+            #[inline(always)]
+            || $force.about_com(&s).store(&mut wrench),
+        );
+        Screw::from_slice(&wrench)
+    }};
 }
 
 impl<T: Real> Force<T> {
     /// The wrench in body axes about the mass centre, N and N m: what the kernel sums.
     #[inline(always)]
     pub fn about_com(&self, s: &Situation<'_, T>) -> Screw<T> {
-        each!(self, f => f.about_com(s))
+        match self {
+            Self::UniformGravity(f) => f.about_com(s),
+            Self::ConstantWrench(f) => f.about_com(s),
+            Self::InputWrench(f) => f.about_com(s),
+            Self::LinearDamping(f @ LinearDamping { coefficients: Coefficients::Diagonal(_) }) => {
+                f.about_com(s)
+            }
+            Self::LinearDamping(f) => apart!(f, s),
+            Self::PointMassGravity(f) => apart!(f, s),
+            Self::TabulatedWrench(f) => apart!(f, s),
+            Self::QuadraticDamping(f) => apart!(f, s),
+        }
     }
 
     /// The wrench in body axes about the body origin, N and N m.
@@ -114,6 +126,7 @@ impl<T: Real> Force<T> {
     }
 
     /// The parameters passed through `f` one by one.
+    #[inline(always)]
     pub fn map<U: Real>(&self, f: &mut impl FnMut(T) -> U) -> Force<U> {
         match self {
             Force::UniformGravity(e) => Force::UniformGravity(e.map(f)),

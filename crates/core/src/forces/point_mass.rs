@@ -41,6 +41,7 @@ impl<T: Real> PointMassGravity<T> {
     }
 
     /// The parameters passed through `f`.
+    #[inline(always)]
     pub fn map<U: Real>(&self, f: &mut impl FnMut(T) -> U) -> PointMassGravity<U> {
         PointMassGravity { mu: f(self.mu), center: self.center.map(f), gradient_torque: self.gradient_torque }
     }

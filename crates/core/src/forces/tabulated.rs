@@ -35,6 +35,7 @@ impl<T: Real> TabulatedWrench<T> {
     }
 
     /// The parameters passed through `f`.
+    #[inline(always)]
     pub fn map<U: Real>(&self, f: &mut impl FnMut(T) -> U) -> TabulatedWrench<U> {
         TabulatedWrench { components: self.components.clone(), at: self.at.map(f), axes: self.axes }
     }

@@ -26,7 +26,7 @@ impl Axes {
             ),
         };
         let arm = at - s.inertia.com;
-        Screw::new(local.linear, local.angular + arm.cross(local.linear))
+        Screw::new(local.linear, arm.cross_add(local.linear, local.angular))
     }
 }
 
@@ -49,6 +49,7 @@ impl<T: Real> ConstantWrench<T> {
     }
 
     /// The parameters passed through `f`.
+    #[inline(always)]
     pub fn map<U: Real>(&self, f: &mut impl FnMut(T) -> U) -> ConstantWrench<U> {
         ConstantWrench { wrench: self.wrench.map(f), at: self.at.map(f), axes: self.axes }
     }

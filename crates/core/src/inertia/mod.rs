@@ -66,7 +66,7 @@ impl<T: Real> Inertia<T> {
     #[inline(always)]
     pub fn solve_about_com(&self, s: Screw<T>) -> Screw<T> {
         let w = self.inverse_about_com.apply(s.angular);
-        Screw::new(s.linear.scale(self.inverse_mass) + self.com.cross(w), w)
+        Screw::new(self.com.cross_add(w, s.linear.scale(self.inverse_mass)), w)
     }
 
     /// The kinetic energy T = ½ VᵀΘV, J.

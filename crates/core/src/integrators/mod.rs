@@ -33,7 +33,7 @@ pub trait System<T> {
     fn size(&self) -> usize;
     /// Writes `f(t, y)` to `dy`.
     ///
-    /// Implementations outline their body through [`crate::scalar::Lane::call`].
+    /// Implementations outline their body through [`crate::scalar::Real::call`].
     fn derivative(&self, t: T, y: &[T], dy: &mut [T]);
     /// Puts the end of a step back on the manifold where it belongs, a unit quaternion for one.
     ///

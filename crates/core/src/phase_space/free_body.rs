@@ -2,6 +2,7 @@
 
 use super::Dynamics;
 use super::orientation::{Orientation, quaternion_of};
+use super::parts::{Parts, Sizes, convert};
 use crate::algebra::{Mat3, Vec3, normalized};
 use crate::charts::{Sequence, angular_velocity, quaternion_rate};
 use crate::forces::{Force, Situation};
@@ -11,6 +12,7 @@ use crate::integrators::{Block, ErrorScale};
 use crate::newton_euler::acceleration_about_com;
 use crate::scalar::Real;
 use crate::screw::Screw;
+use std::convert::identity;
 
 /// How the orientation is written in the state.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -64,37 +66,78 @@ impl<T: Real> FreeBody<T> {
         sum
     }
 
-    /// Where the velocities begin in x.
+    /// How many numbers the parts of a state have.
     #[inline(always)]
-    fn velocities(&self) -> usize {
-        3 + self.chart.size()
+    pub(crate) fn sizes(&self) -> Sizes {
+        let orientation = self.chart.size();
+        let turning = match self.form {
+            Form::QuasiVelocity => 3,
+            Form::Generalized => orientation,
+        };
+        Sizes { orientation, turning }
+    }
+
+    /// dx = f(x, u, t), part by part. Konoplev (3.2)
+    #[inline(always)]
+    pub(crate) fn rate(&self, t: T, x: Parts<&[T]>, u: &[T], dx: Parts<&mut [T]>) {
+        // Where the body is and how it moves, out of any chart and form ...
+        let at = Orientation::read(self.chart, x.orientation);
+        let rotation = at.rotation();
+        let velocity = Vec3::from_slice(x.velocity);
+        let twist = match self.form {
+            Form::QuasiVelocity => Screw::new(velocity, Vec3::from_slice(x.turning)),
+            Form::Generalized => {
+                Screw::new(rotation.transpose_apply(velocity), at.angular_velocity(x.turning))
+            }
+        };
+        // ... the equation itself ...
+        let wrench = self.wrench(t, Vec3::from_slice(x.position), rotation, twist, u);
+        let rate = acceleration_about_com(&self.inertia, twist, wrench);
+        // ... and back into them.
+        match self.form {
+            Form::QuasiVelocity => {
+                rotation.apply(twist.linear).store(dx.position);
+                at.write_rates(twist.angular, dx.orientation);
+                rate.linear.store(dx.velocity);
+                rate.angular.store(dx.turning);
+            }
+            Form::Generalized => {
+                velocity.store(dx.position);
+                convert(x.turning, dx.orientation, identity);
+                origin_acceleration(rotation, twist, rate).store(dx.velocity);
+                at.write_second_rates(twist.angular, rate.angular, x.turning, dx.turning);
+            }
+        }
     }
 
     /// The same body and forces with every parameter passed through `f`.
+    ///
+    /// Call inside [`Real::call`] of `U`.
+    #[inline(always)]
     pub fn map<U: Real>(&self, f: &mut impl FnMut(T) -> U) -> FreeBody<U> {
-        FreeBody {
-            inertia: self.inertia.map(f),
-            forces: self.forces.iter().map(|e| e.map(f)).collect(),
-            chart: self.chart,
-            form: self.form,
+        let inertia = self.inertia.map(f);
+        let mut forces = Vec::with_capacity(self.forces.len());
+        for force in &self.forces {
+            forces.push(force.map(f));
         }
+        FreeBody { inertia, forces, chart: self.chart, form: self.form }
     }
 }
 
 impl FreeBody<f64> {
     /// The same body over another scalar, every parameter a constant of it.
     pub fn lift<T: Real>(&self) -> FreeBody<T> {
-        self.map(&mut T::lit)
+        T::call(
+            #[inline(always)]
+            || self.map(&mut T::lit),
+        )
     }
 }
 
 impl<T: Real> Dynamics<T> for FreeBody<T> {
     #[inline(always)]
     fn state_size(&self) -> usize {
-        match self.form {
-            Form::QuasiVelocity => self.velocities() + 6,
-            Form::Generalized => 2 * self.velocities(),
-        }
+        self.sizes().state()
     }
 
     #[inline(always)]
@@ -108,36 +151,8 @@ impl<T: Real> Dynamics<T> for FreeBody<T> {
 
     #[inline(always)]
     fn derivative(&self, t: T, x: &[T], u: &[T], dx: &mut [T]) {
-        let n = self.velocities();
-        let (x, v) = x.split_at(n);
-        let (dx, dv) = dx.split_at_mut(n);
-        let o = Vec3::from_slice(x);
-        // Where the body is and how it moves, out of any chart and form ...
-        let at = Orientation::read(self.chart, &x[3..]);
-        let rotation = at.rotation();
-        let twist = match self.form {
-            Form::QuasiVelocity => Screw::from_slice(v),
-            Form::Generalized => {
-                let linear = rotation.transpose_apply(Vec3::from_slice(v));
-                Screw::new(linear, at.angular_velocity(&v[3..]))
-            }
-        };
-        // ... the equation itself ...
-        let wrench = self.wrench(t, o, rotation, twist, u);
-        let rate = acceleration_about_com(&self.inertia, twist, wrench);
-        // ... and back into them.
-        match self.form {
-            Form::QuasiVelocity => {
-                rotation.apply(twist.linear).store(dx);
-                at.write_rates(twist.angular, &mut dx[3..]);
-                rate.store(dv);
-            }
-            Form::Generalized => {
-                dx.copy_from_slice(v);
-                origin_acceleration(rotation, twist, rate).store(dv);
-                at.write_second_rates(twist.angular, rate.angular, &v[3..], &mut dv[3..]);
-            }
-        }
+        let sizes = self.sizes();
+        self.rate(t, Parts::of(x, sizes), u, Parts::of_mut(dx, sizes));
     }
 
     /// The unit quaternion back to length one, and its rate back to the tangent.
@@ -155,14 +170,14 @@ impl<T: Real> Dynamics<T> for FreeBody<T> {
     }
 
     fn error_blocks(&self) -> Vec<Block> {
-        let n = self.velocities();
-        let rates = self.state_size() - n - 3;
+        let Sizes { orientation, turning } = self.sizes();
+        let n = 3 + orientation;
         let radian = if self.chart == Chart::Quaternion { 0.5 } else { 1.0 };
         vec![
             Block { start: 0, len: 3, scale: ErrorScale::Relative },
-            Block { start: 3, len: n - 3, scale: ErrorScale::Fixed(radian) },
+            Block { start: 3, len: orientation, scale: ErrorScale::Fixed(radian) },
             Block { start: n, len: 3, scale: ErrorScale::Relative },
-            Block { start: n + 3, len: rates, scale: ErrorScale::Relative },
+            Block { start: n + 3, len: turning, scale: ErrorScale::Relative },
         ]
     }
 }

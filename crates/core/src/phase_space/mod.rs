@@ -2,6 +2,7 @@
 
 mod free_body;
 mod orientation;
+pub(crate) mod parts;
 mod state;
 
 pub use free_body::{Chart, Form, FreeBody};

@@ -135,4 +135,8 @@ impl<T: Real, const K: usize> Real for Dual<T, K> {
     fn lookup(self, table: &Table) -> Self {
         self.chain(self.value.lookup(table), self.value.lookup(table.slope()))
     }
+    #[inline(always)]
+    fn call<R>(f: impl FnOnce() -> R) -> R {
+        T::call(f)
+    }
 }

@@ -7,7 +7,7 @@ use std::ops::{Add, Div, Mul, Neg, Sub};
 /// An `f64` whose [`Real::fma`] rounds once.
 ///
 /// A single run on this type is bit for bit the same run as in one lane of a register with fused
-/// products. Like a register, it is for use inside [`Lane::call`] only: elsewhere `fma` is a library call.
+/// products. Like a register, it is for use inside [`Real::call`] only: elsewhere `fma` is a library call.
 #[derive(Clone, Copy, Debug, PartialEq, PartialOrd)]
 #[repr(transparent)]
 pub struct Fused(pub f64);
@@ -65,6 +65,19 @@ impl Real for Fused {
     fn lookup(self, table: &Table) -> Self {
         Self(table.value(self.0))
     }
+    #[inline(always)]
+    fn call<R>(f: impl FnOnce() -> R) -> R {
+        #[cfg_attr(target_arch = "x86_64", target_feature(enable = "avx2,fma,bmi2"))]
+        #[inline(never)]
+        fn enter<R>(f: impl FnOnce() -> R) -> R {
+            f()
+        }
+        // SAFETY: `scalar::isa` has asked the processor for the instruction set.
+        #[allow(unused_unsafe)]
+        unsafe {
+            enter(f)
+        }
+    }
 }
 
 impl Lane for Fused {
@@ -85,18 +98,5 @@ impl Lane for Fused {
     #[inline(always)]
     fn from_lanes(mut f: impl FnMut(usize) -> f64) -> Self {
         Self(f(0))
-    }
-    #[inline(always)]
-    fn call<R>(f: impl FnOnce() -> R) -> R {
-        #[cfg_attr(target_arch = "x86_64", target_feature(enable = "avx2,fma,bmi2"))]
-        #[inline(never)]
-        fn enter<R>(f: impl FnOnce() -> R) -> R {
-            f()
-        }
-        // SAFETY: `scalar::isa` has asked the processor for the instruction set.
-        #[allow(unused_unsafe)]
-        unsafe {
-            enter(f)
-        }
     }
 }

@@ -1,6 +1,6 @@
 //! Numbers with one independent value a lane: a SIMD register, or a single number.
 //!
-//! A register may be used only inside [`Lane::call`], which enters code compiled for its instruction
+//! A register may be used only inside [`Real::call`], which enters code compiled for its instruction
 //! set; everything generic between that call and the operations is `#[inline(always)]`. A function
 //! that is not inlined there stays right but silently loses the instruction set, and with it a factor
 //! of 3 to 80 in speed; `make check` looks for such functions in the built library.
@@ -22,10 +22,6 @@ pub trait Lane: Real {
     fn all_le(a: Self, b: Self) -> bool;
     /// The value whose lanes are given by `f`.
     fn from_lanes(f: impl FnMut(usize) -> f64) -> Self;
-    /// Runs `f` in code compiled for the instruction set of this type.
-    ///
-    /// This is the only place where the kernel is outlined: one copy per caller and instruction set.
-    fn call<R>(f: impl FnOnce() -> R) -> R;
 }
 
 impl Lane for f64 {
@@ -46,10 +42,6 @@ impl Lane for f64 {
     #[inline(always)]
     fn from_lanes(mut f: impl FnMut(usize) -> f64) -> Self {
         f(0)
-    }
-    #[inline(always)]
-    fn call<R>(f: impl FnOnce() -> R) -> R {
-        f()
     }
 }
 
@@ -82,5 +74,9 @@ impl Real for f64 {
     #[inline(always)]
     fn lookup(self, table: &Table) -> Self {
         table.value(self)
+    }
+    #[inline(never)]
+    fn call<R>(f: impl FnOnce() -> R) -> R {
+        f()
     }
 }

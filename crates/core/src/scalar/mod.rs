@@ -11,7 +11,7 @@ mod lanes;
 mod registers;
 mod table;
 #[cfg(test)]
-mod tests;
+pub(crate) mod tests;
 mod trigonometry;
 
 pub use dual::Dual;
@@ -53,6 +53,10 @@ pub trait Real:
     fn select_le(a: Self, b: Self, x: Self, y: Self) -> Self;
     /// The value of a tabulated function at `self`.
     fn lookup(self, table: &Table) -> Self;
+    /// Runs `f` in code compiled for the instruction set of this type.
+    ///
+    /// This is the only place where the kernel is outlined: one copy per caller and instruction set.
+    fn call<R>(f: impl FnOnce() -> R) -> R;
 
     /// The square.
     #[inline(always)]

@@ -23,7 +23,7 @@ macro_rules! register {
         pub struct $name($raw);
 
         // SAFETY (all blocks of this macro): the operations need the instruction set named in
-        // `$feature`. Values of this type are made only inside `Lane::call`, and
+        // `$feature`. Values of this type are made only inside `Real::call`, and
         // `scalar::isa` calls that only after the processor was asked for the instruction set.
         impl $name {
             #[inline(always)]
@@ -124,6 +124,16 @@ macro_rules! register {
                 }
                 Self::from_array(x)
             }
+            #[inline(always)]
+            fn call<R>(f: impl FnOnce() -> R) -> R {
+                #[target_feature(enable = $feature)]
+                #[inline(never)]
+                fn enter<R>(f: impl FnOnce() -> R) -> R {
+                    f()
+                }
+                // SAFETY: `scalar::isa` has asked the processor for `$feature`.
+                unsafe { enter(f) }
+            }
         }
 
         impl Lane for $name {
@@ -153,16 +163,6 @@ macro_rules! register {
                     l += 1;
                 }
                 Self::from_array(all)
-            }
-            #[inline(always)]
-            fn call<R>(f: impl FnOnce() -> R) -> R {
-                #[target_feature(enable = $feature)]
-                #[inline(never)]
-                fn enter<R>(f: impl FnOnce() -> R) -> R {
-                    f()
-                }
-                // SAFETY: `scalar::isa` has asked the processor for `$feature`.
-                unsafe { enter(f) }
             }
         }
     };
