@@ -13,6 +13,10 @@ from freebody.simulation import Trajectory
 __all__ = ["describe_model", "summary"]
 
 
+# A tumbling body may change its chart a hundred times.
+_CHANGES_TOLD = 6
+
+
 def describe_model(model: Model, t_span: tuple[float, float]) -> Table:
     """Body, forces, state and time span of a model."""
     table = _two_columns()
@@ -45,8 +49,10 @@ def summary(run: Trajectory) -> Table:
     if run.singularity_distance is not None and len(run):
         nearest = np.rad2deg(np.min(run.singularity_distance))
         table.add_row("singularity", f"the angles came within {nearest:.3g} deg of it")
-    for change in run.chart_changes:
+    for change in run.chart_changes[:_CHANGES_TOLD]:
         table.add_row("chart change", f"{change.from_chart} to {change.to_chart} at {_time(change.time)}")
+    if len(run.chart_changes) > _CHANGES_TOLD:
+        table.add_row("", f"and {len(run.chart_changes) - _CHANGES_TOLD} more; all are in the data")
     table.add_row("work", f"{run.steps} steps, {run.rejected_steps} rejected, {run.evaluations} evaluations")
     table.add_row("wall time", f"{run.wall_time:.3g} s")
     return table

@@ -122,3 +122,14 @@ def test_progress_is_told_and_can_stop() -> None:
 
     with pytest.raises(KeyboardInterrupt):
         model.simulate(model.state(**START), (0.0, 100.0), method="rk4", step=0.01, progress=stop)
+
+
+@pytest.mark.parametrize("method", ["dop853", "dp54"])
+def test_a_motion_that_outgrows_the_squares_of_doubles_ends(method: str) -> None:
+    """Driven to infinity, a run says so at once instead of creeping on to its last step."""
+    model = fb.Model(BALL, [fb.LinearDamping([-1e3] * 6)])
+    run = model.simulate(model.state(velocity_body=[1.0, 0.0, 0.0]), (0.0, 5.0), method=method)
+    assert run.outcome.status == "non_finite"
+    # exp(1000 t) reaches 1e150 at 0.345 s.
+    assert 0.34 < run.outcome.time < 0.41
+    assert run.steps < 100_000

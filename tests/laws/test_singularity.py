@@ -174,3 +174,25 @@ def test_forces_through_the_singularity(form: Form) -> None:
     # Some 300 steps of 1e-10 each, and a tenfold growth of differences.
     assert motion_gap(*runs) <= 3e-7
     assert relative(runs[0].energy[:, None], runs[1].energy[:, None]) <= 3e-7
+
+
+@pytest.mark.parametrize("form", FORMS)
+@pytest.mark.parametrize("sequence", SEQUENCES)
+def test_fixed_steps_keep_their_distance(sequence: str, form: Form) -> None:
+    """A step that suits the body does not have to suit angles that turn faster than it."""
+    attitude, spin = fb.Attitude.angles("zyx", [0.1, 0.4, -0.3]), [0.6, 1.1, -0.4]
+    for step in (0.02, 0.05, 0.1):
+        runs = []
+        for chart in (sequence, "quaternion"):
+            model = fb.Model(BODY, [], chart, form)
+            x0 = model.state(attitude=attitude, angular_velocity_body=spin)
+            runs.append(model.simulate(x0, (0.0, 30.0), method="rk4", step=step, save_every=0.1))
+        assert runs[0].ok
+        # Such steps alone cost the body up to 5e-5, and angles that turn faster ten times that; if they lost
+        # all sense it would be one and more.
+        assert motion_gap(*runs) <= 1e-3
+    # Many turns in one step are no motion to be followed any more, but the run ends.
+    model = fb.Model(BODY, [], sequence, form)
+    x0 = model.state(attitude=attitude, angular_velocity_body=[1e6, 2e6, 3e6])
+    run = model.simulate(x0, (0.0, 1.0), method="rk4", step=0.1)
+    assert run.outcome.status in ("reached_end", "non_finite")

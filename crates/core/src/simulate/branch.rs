@@ -4,8 +4,9 @@ use crate::phase_space::{Chart, FreeBody, RigidState};
 
 /// Nearer to the singularity than this, rad, the angles turn too fast to be followed, and any triple will do.
 const NOWHERE: f64 = 1e-6;
-/// The shortest piece of a way that is looked at, as a part of it.
-const SHORTEST: f64 = 1e-6;
+/// After so many looks at one way it is taken as it comes: nobody can follow a motion that is not finite, or turns
+/// many times within a step.
+const LOOKS: u32 = 1000;
 
 /// Moves a state in the angles of `model` along a motion from one time to another.
 ///
@@ -18,7 +19,7 @@ pub fn follow(
     motion: impl Fn(f64) -> RigidState,
 ) {
     let (mut t, mut next) = (from, to);
-    let least = SHORTEST * (to - from);
+    let mut looks = 0;
     let mut at = motion(t);
     while t < to {
         let ahead = motion(next);
@@ -29,7 +30,8 @@ pub fn follow(
         let piece = next - t;
         let short = [&at, &ahead].into_iter().all(|s| is_short(model.chart, piece, s, near));
         let middle = t + 0.5 * piece;
-        if short || piece <= least || middle <= t {
+        looks += 1;
+        if short || looks > LOOKS || middle <= t {
             (t, at, *state) = (next, ahead, x);
             next = to.min(t + 2.0 * piece);
         } else {

@@ -9,8 +9,12 @@ use crate::scalar::Lane;
 /// A run in angles goes on in quaternions when it comes this near to the singularity of its angles, rad:
 /// there the rates of the angles are about seven times those of the body.
 const LEAVE: f64 = 0.15;
-/// It comes back to its angles at this distance, rad; the gap keeps it from going to and fro.
-const COME_BACK: f64 = 0.3;
+/// A fixed step cannot grow short there, so it leaves while the body turns less than this part of the distance.
+const PART: f64 = 0.1;
+/// It comes back to its angles at this many times the distance; the gap keeps it from going to and fro.
+const COME_BACK: f64 = 2.0;
+/// The square of a larger number is none, and with it the error of a step.
+const TOO_LARGE: f64 = 1e150;
 /// Steps between two reports of progress.
 const REPORT: u64 = 1024;
 
@@ -69,7 +73,7 @@ const ONE: Lanes = Lanes::one(0);
 impl<T: Lane, M: Method> Driver<'_, T, M> {
     fn start(&mut self) {
         let [t0, t1] = self.task.span;
-        let near = self.asked_distance() < LEAVE;
+        let near = self.asked_distance() < self.leave();
         self.current = usize::from(near);
         let y = self.state_for(self.current);
         self.stepper.start(&self.motions[self.current], ONE, T::lit(t0), &y, T::lit(t1), self.task.step);
@@ -118,7 +122,7 @@ impl<T: Lane, M: Method> Driver<'_, T, M> {
         let limit = if angles { self.before_singularity(limit) } else { limit };
         let trial = self.stepper.attempt(&self.motions[self.current], T::lit(limit));
         if !trial.stopped.is_empty() {
-            if angles && self.asked_distance() < COME_BACK {
+            if angles && self.asked_distance() < COME_BACK * self.leave() {
                 self.change_chart(true);
                 return None;
             }
@@ -136,6 +140,9 @@ impl<T: Lane, M: Method> Driver<'_, T, M> {
             self.change_chart(true);
         } else {
             self.take_step();
+            if !M::ERROR.is_empty() && self.last.iter().any(|v| v.abs() > TOO_LARGE) {
+                return Some(Ending::NonFinite { force: self.culprit() });
+            }
         }
         None
     }
@@ -153,12 +160,12 @@ impl<T: Lane, M: Method> Driver<'_, T, M> {
             let x = self.last.clone();
             self.save(self.time(), &x);
         }
-        let distance = self.asked_distance();
-        if self.current == 0 && distance < LEAVE {
+        let (distance, leave) = (self.asked_distance(), self.leave());
+        if self.current == 0 && distance < leave {
             self.change_chart(true);
-        } else if self.current == 1 && distance.is_finite() && distance > COME_BACK {
+        } else if self.current == 1 && distance.is_finite() && distance > COME_BACK * leave {
             // While it still approaches, it would only have to leave again.
-            if distance > before || distance > 2.0 * COME_BACK {
+            if distance > before || distance > 2.0 * COME_BACK * leave {
                 self.change_chart(false);
             }
         }
@@ -171,6 +178,15 @@ impl<T: Lane, M: Method> Driver<'_, T, M> {
     /// Distance of the last state to the singularity of the chart asked for; far where it has none.
     fn asked_distance(&self) -> f64 {
         self.models[0].singularity_distance(&self.last).unwrap_or(f64::INFINITY)
+    }
+
+    /// The distance to the singularity at which the angles are to be left, rad.
+    fn leave(&self) -> f64 {
+        if !M::ERROR.is_empty() {
+            return LEAVE;
+        }
+        let step = self.task.step.unwrap_or(0.0);
+        LEAVE.max(step * self.models[0].rigid_state(&self.last).twist.angular.norm() / PART)
     }
 
     /// When the second angle will be near its singularity if it goes on as now, or the limit if that is sooner:
@@ -190,7 +206,7 @@ impl<T: Lane, M: Method> Driver<'_, T, M> {
         let y: Vec<f64> = self.stepper.trial_y().iter().map(|v| v.get(0)).collect();
         let Some(distance) = self.models[0].singularity_distance(&y) else { return false };
         // The error of a fixed step is not watched: it keeps away altogether.
-        let allowed = if M::ERROR.is_empty() { LEAVE } else { 0.25 * LEAVE };
+        let allowed = if M::ERROR.is_empty() { self.leave() } else { 0.25 * LEAVE };
         // The second angle cannot pass the singularity without moving by both distances.
         distance < allowed || (y[4] - self.last[4]).abs() >= distance + self.asked_distance()
     }
