@@ -125,7 +125,7 @@ def test_progress_is_told_and_can_stop() -> None:
 
 
 @pytest.mark.parametrize("method", ["dop853", "dp54"])
-def test_a_motion_that_outgrows_the_squares_of_doubles_ends(method: str) -> None:
+def test_a_motion_that_outgrows_the_squares_of_doubles_ends(method: Method) -> None:
     """Driven to infinity, a run says so at once instead of creeping on to its last step."""
     model = fb.Model(BALL, [fb.LinearDamping([-1e3] * 6)])
     run = model.simulate(model.state(velocity_body=[1.0, 0.0, 0.0]), (0.0, 5.0), method=method)
