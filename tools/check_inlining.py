@@ -1,6 +1,6 @@
 """Checks that no kernel function lost its instruction set: `check_inlining.py LIBRARY`.
 
-A generic function that the compiler does not inline into `Lane::call` is compiled without the
+A generic function that the compiler does not inline into `Real::call` is compiled without the
 instruction set of its caller. Its results stay right, but each intrinsic becomes a call and each
 fused product a library call, 3 to 80 times slower. Both leave symbols in the built library, which
 must therefore be unstripped.
@@ -16,7 +16,7 @@ INTRINSIC = re.compile(r"\bcore(\[\w+\])?::core_arch::")
 DETECTION = re.compile(r"::(__cpuid(_count)?|__get_cpuid_max|has_cpuid|_xgetbv)\b")
 
 ADVICE = """\
-A function between Lane::call and these was not inlined, so it lost the instruction set. Mark it
+A function between Real::call and these was not inlined, so it lost the instruction set. Mark it
 #[inline(always)]; write a closure as a direct call argument, `#[inline(always)] || ...`; run code
 on registers or Fused numbers only inside L::call."""
 

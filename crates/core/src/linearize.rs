@@ -21,29 +21,29 @@ pub fn jacobian<L: Lane, const K: usize, D: Dynamics<Dual<L, K>>>(
     let mut point: Vec<Dual<L, K>> = x.iter().map(constant).collect();
     let mut input: Vec<Dual<L, K>> = u.iter().map(constant).collect();
     let mut rate = vec![Dual::<L, K>::lit(0.0); n];
-    let per_pass = K * L::N;
+    let lane = L::from_lanes(
+        #[inline(always)]
+        |l| l as f64,
+    );
     let mut first = 0;
     while first < n + m {
         // Direction `first + k N + l` lives in slope k, lane l.
         for (i, v) in point.iter_mut().chain(&mut input).enumerate() {
-            for k in 0..K {
-                let start = first + k * L::N;
-                let inside = i >= start && i < start + L::N;
-                v.slope[k] = if inside { L::zero().with(i - start, 1.0) } else { L::zero() };
+            for (k, slope) in v.slope.iter_mut().enumerate() {
+                let apart = lane - L::lit(i as f64 - (first + k * L::N) as f64);
+                *slope = L::select_le(apart.abs(), L::lit(0.5), L::one(), L::zero());
             }
         }
         dynamics.derivative(Dual::lit(t), &point, &input, &mut rate);
         for (row, r) in rate.iter().enumerate() {
-            for direction in first..(first + per_pass).min(n + m) {
-                let (k, l) = ((direction - first) / L::N, (direction - first) % L::N);
-                let slope = r.slope[k].get(l);
-                if direction < n {
-                    by_state[row * n + direction] = slope;
-                } else {
-                    by_input[row * m + direction - n] = slope;
+            let (by_state, by_input) = (&mut by_state[row * n..][..n], &mut by_input[row * m..][..m]);
+            let mut places = by_state.iter_mut().chain(by_input).skip(first);
+            for slope in r.slope {
+                for (l, place) in places.by_ref().take(L::N).enumerate() {
+                    *place = slope.get(l);
                 }
             }
         }
-        first += per_pass;
+        first += K * L::N;
     }
 }

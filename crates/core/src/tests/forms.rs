@@ -1,6 +1,6 @@
 //! Each equation in its literal form against the blocks that run, and against itself backwards.
 
-use super::{Random, inertia, screw, sequences, vector};
+use super::{Random, inertia, rotation, screw, sequences, vector};
 use crate::algebra::Vec3;
 use crate::charts::{AngleChart, Sequence, angular_velocity_skew, partial_rotations};
 use crate::generalized::{Generalized, acceleration_by_blocks, rotation_acceleration};
@@ -10,7 +10,10 @@ use crate::newton_euler::{
     acceleration, acceleration_literal, inverse_dynamics, quasi_coordinate_acceleration, regressor,
 };
 use crate::phase_space::phase_velocity;
-use crate::screw::{Screw, force_cross, force_cross_apply};
+use crate::screw::{
+    Screw, body_from_world, force_cross, force_cross_apply, line_matrix, world_from_body, wrench_transform,
+    wrench_transform_inverse,
+};
 
 /// Forms against forms: some ten products of 6×6 matrices, of condition below a hundred, at 1e-16 a rounding.
 const FORM: f64 = 1e-12;
@@ -35,6 +38,20 @@ fn angles(random: &mut Random, sequence: Sequence) -> Vec3<f64> {
     let second = random.between(-1.0, 1.0);
     let second = if sequence.is_proper_euler() { second + 1.57 } else { second };
     Vec3::new(random.between(-3.0, 3.0), second, random.between(-3.0, 3.0))
+}
+
+#[test]
+fn screws_are_carried_alike_by_blocks_and_matrices() {
+    let mut random = Random(44);
+    for _ in 0..100 {
+        let (o, c, s) = (vector(&mut random), rotation(&mut random), screw(&mut random));
+        let world = world_from_body(o, c, s);
+        assert_close(wrench_transform(o, c).apply(s), world, 10.0);
+        assert_close(body_from_world(o, c, world), s, 10.0);
+        assert_close(wrench_transform_inverse(o, c).apply(world), s, 10.0);
+        let line = Screw::at_point(s.linear, o);
+        assert_close(line_matrix(o).apply(Screw::new(s.linear, s.linear)), line, 10.0);
+    }
 }
 
 #[test]
