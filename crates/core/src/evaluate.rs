@@ -9,7 +9,7 @@ use crate::scalar::{Dual, Lane};
 /// Inputs up to this count are passed on the stack.
 const ON_STACK: usize = 16;
 
-/// Directions a lane holds in one pass of a Jacobian: enough for 13 states and 6 inputs in eight lanes.
+/// Directions a lane holds in one pass of a Jacobian: more make fewer passes, but long code that is no faster.
 const DIRECTIONS: usize = 1;
 
 /// f and its Jacobians over one choice of scalars.
