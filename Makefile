@@ -43,6 +43,8 @@ format: $(VENV)/.dev ## format Rust and Python
 bench: setup ## measure the speeds that the documents state
 	cargo bench --locked --quiet -p freebody-core --bench derivative
 	$(BIN)/python bench/derivative.py
+	$(BIN)/python bench/laws.py
+	$(BIN)/python bench/equations.py
 
 docs: setup ## build the documentation into build/docs
 	$(BIN)/sphinx-build -W --keep-going -q docs build/docs

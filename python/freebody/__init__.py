@@ -9,6 +9,8 @@ from freebody import forms
 from freebody._core import __version__
 from freebody.attitude import Attitude
 from freebody.body import RigidBody, positive_integral_inertia, principal_inertia
+from freebody.compilation import compile
+from freebody.equations import Equations, SymbolicBody, equations
 from freebody.errors import (
     BodyError,
     FreebodyError,
@@ -16,20 +18,26 @@ from freebody.errors import (
     ModelFileError,
     NonFiniteError,
     SingularChartError,
+    TraceError,
 )
 from freebody.forces import (
     ConstantWrench,
+    Control,
     Force,
     InputWrench,
     LinearDamping,
     PointMassGravity,
     QuadraticDamping,
+    Quantity,
+    StateQuantity,
     TabulatedWrench,
     UniformGravity,
 )
 from freebody.linearization import Linearization
 from freebody.model import Model
 from freebody.simulation import ChartChange, Conserved, InputTable, Outcome, Trajectory
+from freebody.tables import Table
+from freebody.tracing import ControlLaw, ForceLaw, callback, control, force, wrench
 
 if TYPE_CHECKING:
     from freebody.model_file import LoadedModel
@@ -40,7 +48,11 @@ __all__ = [
     "ChartChange",
     "Conserved",
     "ConstantWrench",
+    "Control",
+    "ControlLaw",
+    "Equations",
     "Force",
+    "ForceLaw",
     "FreebodyError",
     "InputError",
     "InputTable",
@@ -53,16 +65,27 @@ __all__ = [
     "Outcome",
     "PointMassGravity",
     "QuadraticDamping",
+    "Quantity",
     "RigidBody",
     "SingularChartError",
+    "StateQuantity",
+    "SymbolicBody",
+    "Table",
     "TabulatedWrench",
+    "TraceError",
     "Trajectory",
     "UniformGravity",
     "__version__",
+    "callback",
+    "compile",
+    "control",
+    "equations",
+    "force",
     "forms",
     "load",
     "positive_integral_inertia",
     "principal_inertia",
+    "wrench",
 ]
 
 

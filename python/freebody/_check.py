@@ -216,3 +216,15 @@ def label(name: str, value: str) -> str:
     if not isinstance(value, str) or not value.strip():
         raise InputError(f"{name}: got {shown(value)}; give a word that is not empty")
     return value
+
+
+def in_body_axes(name: str, body: ArrayLike | None, world: ArrayLike | None, body_from_world: Array) -> Array:
+    """A vector in body axes, given in body or world axes."""
+    if body is not None and world is not None:
+        raise InputError(f"{name}_body, {name}_world: both came; give one of them")
+    if body is not None:
+        return vector(f"{name}_body", body, 3)
+    if world is not None:
+        with np.errstate(over="ignore", invalid="ignore"):  # beyond doubles: the core refuses the state
+            return body_from_world @ vector(f"{name}_world", world, 3)
+    return np.zeros(3)

@@ -12,6 +12,7 @@ __all__ = [
     "ModelFileError",
     "NonFiniteError",
     "SingularChartError",
+    "TraceError",
 ]
 
 
@@ -53,3 +54,30 @@ class ModelFileError(FreebodyError):
     def __str__(self) -> str:
         place = ":".join(str(part) for part in (self.file, self.line) if part is not None)
         return ": ".join(part for part in (place, self.key, self.args[0]) if part)
+
+
+class TraceError(InputError):
+    """A law that cannot be traced: which function, where, what happened, what to write instead.
+
+    Attributes
+    ----------
+    function, file, line, text
+        Name of the law, path, line counted from 1, and what stands there. `None` where unknown.
+    """
+
+    def __init__(
+        self,
+        message: str,
+        *,
+        function: str | None = None,
+        file: str | None = None,
+        line: int | None = None,
+        text: str | None = None,
+    ) -> None:
+        super().__init__(message)
+        self.function, self.file, self.line, self.text = function, file, line, text
+
+    def __str__(self) -> str:
+        place = None if self.file is None else f"{self.file}:{self.line}"
+        head = ": ".join(part for part in (self.function, place, self.args[0]) if part)
+        return f"{head}\n    {self.text}" if self.text else head

@@ -7,7 +7,8 @@ axes from o1, (3,) m.
 from __future__ import annotations
 
 from abc import ABC, abstractmethod
-from typing import Literal
+from collections.abc import Iterable
+from typing import Literal, NamedTuple
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -18,11 +19,14 @@ from freebody.tables import Interpolation, check_slopes, table_times
 
 __all__ = [
     "ConstantWrench",
+    "Control",
     "Force",
     "InputWrench",
     "LinearDamping",
     "PointMassGravity",
     "QuadraticDamping",
+    "Quantity",
+    "StateQuantity",
     "TabulatedWrench",
     "UniformGravity",
 ]
@@ -31,8 +35,32 @@ ORIGIN = (0.0, 0.0, 0.0)
 Axes = Literal["body", "world"]
 
 
+class Quantity(NamedTuple):
+    """A number that a law reads or sets; the unit is "" where it is not known."""
+
+    name: str
+    unit: str
+
+
+class StateQuantity(NamedTuple):
+    """A number that a law itself moves, and its value at the start."""
+
+    name: str
+    unit: str
+    initial: float
+
+
 class Force(ABC):
-    """A force element: a name, and how the core sees it."""
+    """A force element: a name, and how the core sees it.
+
+    Attributes
+    ----------
+    inputs, states
+        What it reads from u, and its own states.
+    """
+
+    inputs: tuple[Quantity, ...] = ()
+    states: tuple[StateQuantity, ...] = ()
 
     def __init__(self, name: str | None) -> None:
         self.name = type(self).__name__ if name is None else _check.label("name", name)
@@ -40,6 +68,32 @@ class Force(ABC):
     @abstractmethod
     def core(self) -> _core.Force:
         """The element of the core."""
+
+    def __repr__(self) -> str:
+        return f"<{type(self).__name__} {self.name!r}>"
+
+
+class Control(ABC):
+    """A control law u = k(t, x): what it commands are inputs of the forces.
+
+    Attributes
+    ----------
+    commands
+        The inputs that it sets.
+    inputs, states
+        What it reads from u itself, references above all, and its own states.
+    """
+
+    commands: tuple[Quantity, ...] = ()
+    inputs: tuple[Quantity, ...] = ()
+    states: tuple[StateQuantity, ...] = ()
+
+    def __init__(self, name: str | None) -> None:
+        self.name = type(self).__name__ if name is None else _check.label("name", name)
+
+    @abstractmethod
+    def core(self) -> _core.Control:
+        """The law of the core."""
 
     def __repr__(self) -> str:
         return f"<{type(self).__name__} {self.name!r}>"
@@ -196,6 +250,12 @@ class QuadraticDamping(_Damping):
 class InputWrench(Force):
     """Six inputs of u: force_x, force_y, force_z (N), moment_x, moment_y, moment_z (N m). Konoplev (3.2)."""
 
+    inputs = tuple(
+        Quantity(f"{stem}_{axis}", unit)
+        for stem, unit in (("force", "N"), ("moment", "N m"))
+        for axis in "xyz"
+    )
+
     def __init__(self, axes: Axes = "body", at: ArrayLike = ORIGIN, *, name: str | None = None) -> None:
         super().__init__(name)
         self.axes = _check.choice("axes", axes, ("body", "world"))
@@ -203,3 +263,22 @@ class InputWrench(Force):
 
     def core(self) -> _core.Force:
         return _core.Force.input_wrench(self.axes == "world", self.at)
+
+
+def checked_forces(forces: Iterable[Force]) -> tuple[Force, ...]:
+    """Check a list of force elements."""
+    try:
+        given = tuple(forces)
+    except TypeError:
+        raise InputError(f"forces: got {_check.shown(forces)}; give a list of force elements") from None
+    for i, force in enumerate(given):
+        if not isinstance(force, Force):
+            raise InputError(f"forces[{i}]: got {_check.shown(force)}; give a force element")
+        if isinstance(force, InputWrench) and any(
+            isinstance(f, InputWrench) and f.name == force.name for f in given[:i]
+        ):
+            raise InputError(
+                f"forces[{i}]: a second InputWrench called {force.name!r}; give each its own name=, which "
+                "its inputs bear"
+            )
+    return given

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Iterable, Mapping
 from typing import Literal
 
 import numpy as np
@@ -13,16 +13,22 @@ from freebody._check import Array
 from freebody.attitude import Attitude
 from freebody.body import RigidBody
 from freebody.errors import InputError
-from freebody.forces import ORIGIN, Force, InputWrench
+from freebody.forces import (
+    ORIGIN,
+    Control,
+    Force,
+    InputWrench,
+    Quantity,
+    StateQuantity,
+    checked_forces,
+)
 from freebody.linearization import Linearization, linearize
+from freebody.signals import connect, rigid_state_labels
 from freebody.simulation import InputTable, Method, Trajectory, simulate
 
 __all__ = ["Model"]
 
 Form = Literal["quasi_velocity", "generalized"]
-
-WRENCH_NAMES = ("force_x", "force_y", "force_z", "moment_x", "moment_y", "moment_z")
-WRENCH_UNITS = ("N",) * 3 + ("N m",) * 3
 
 
 class Model(_core.Model):
@@ -40,25 +46,37 @@ class Model(_core.Model):
     form
         "quasi_velocity": the state holds (v; ω) of the origin in body axes. "generalized": the rates of the
         generalized coordinates, ȯ in world axes and those of the angles or the quaternion.
+    control
+        A control law: what it commands is no input of the model any more, what it reads itself is.
     name
         How messages and results call the model.
 
     Attributes
     ----------
     state_names, state_units, input_names, input_units
-        What the numbers of x and u are.
+        What the numbers of x and u are. Behind the rigid body's own states come the auxiliary states of the
+        forces, then those of the control law, called "law.state"; inputs of one name are one input.
+    compiled
+        Whether its derivative is compiled C, see `freebody.compile`.
+    command_names, command_units
+        What the control law commands.
     """
 
     body: RigidBody
     forces: tuple[Force, ...]
     attitude: str
     form: Form
+    control: Control | None
     name: str
+    compiled: bool
     acting_names: tuple[str, ...]
     state_names: tuple[str, ...]
     state_units: tuple[str, ...]
     input_names: tuple[str, ...]
     input_units: tuple[str, ...]
+    command_names: tuple[str, ...]
+    command_units: tuple[str, ...]
+    _auxiliary: tuple[StateQuantity, ...]
 
     def __new__(
         cls,
@@ -67,25 +85,61 @@ class Model(_core.Model):
         attitude: str = "quaternion",
         form: Form = "quasi_velocity",
         *,
+        control: Control | None = None,
         name: str = "model",
+    ) -> Model:
+        return cls._of(body, forces, attitude, form, control, name, None)
+
+    @classmethod
+    def _of(
+        cls,
+        body: RigidBody,
+        forces: Iterable[Force],
+        attitude: str,
+        form: Form,
+        control: Control | None,
+        name: str,
+        compiled: _core.Compiled | None,
     ) -> Model:
         if not isinstance(body, RigidBody):
             raise InputError(f"body: got {_check.shown(body)}; give a freebody.RigidBody")
-        given = _checked_forces(forces)
+        given = checked_forces(forces)
         _check.choice("attitude", attitude, ("quaternion", *_check.SEQUENCES))
         _check.choice("form", form, ("quasi_velocity", "generalized"))
-        acting = given
-        if not any(isinstance(f, InputWrench) for f in given):
-            acting = (*given, InputWrench(name="applied wrench"))
-        sequence = None if attitude == "quaternion" else attitude
-        names = [f.name for f in acting]
-        self = super().__new__(cls, body, [f.core() for f in acting], names, sequence, form == "generalized")
+        if not isinstance(control, Control | None):
+            raise InputError(f"control: got {_check.shown(control)}; give a control law, made by @fb.control")
+        acting = given if any(f.inputs for f in given) else (*given, InputWrench(name="applied wrench"))
+        signals = connect(acting, control)
+        names = [f.name for f in acting] + ([] if control is None else [control.name])
+        self = super().__new__(
+            cls,
+            body,
+            [f.core() for f in acting],
+            names,
+            None if attitude == "quaternion" else attitude,
+            form == "generalized",
+            signals.force_places,
+            len(signals.inputs),
+            None if control is None else control.core(),
+            signals.control_places,
+            compiled,
+        )
         self.body, self.forces, self.attitude, self.form = body, given, attitude, form
-        self.acting_names = tuple(names)
+        self.control, self.acting_names, self.compiled = control, tuple(names), compiled is not None
         self.name = _check.label("name", name)
-        self.state_names, self.state_units = _state_labels(attitude, form)
-        self.input_names, self.input_units = _input_labels(acting)
+        names, units = rigid_state_labels(attitude, form == "generalized")
+        self.state_names = (*names, *(s.name for s in signals.states))
+        self.state_units = (*units, *(s.unit for s in signals.states))
+        self._auxiliary = signals.states
+        self.input_names, self.input_units = _labels(signals.inputs)
+        self.command_names, self.command_units = _labels(signals.commands)
         return self
+
+    @property
+    def auxiliary(self) -> Mapping[str, int]:
+        """The places in x of the auxiliary states, by name."""
+        first = self.n_states - len(self._auxiliary)
+        return {state.name: first + i for i, state in enumerate(self._auxiliary)}
 
     def state(
         self,
@@ -96,6 +150,7 @@ class Model(_core.Model):
         velocity_world: ArrayLike | None = None,
         angular_velocity_body: ArrayLike | None = None,
         angular_velocity_world: ArrayLike | None = None,
+        states: Mapping[str, float] | None = None,
     ) -> Array:
         """The state x of a motion, (n_states,).
 
@@ -109,6 +164,8 @@ class Model(_core.Model):
             Of the body origin, in body or world axes, (3,) m/s; zero when both are omitted.
         angular_velocity_body, angular_velocity_world
             In body or world axes, (3,) rad/s; zero when both are omitted.
+        states
+            Auxiliary states by name, {"fin.servo": 0.1}; those omitted have the start values of their laws.
 
         Raises
         ------
@@ -119,8 +176,10 @@ class Model(_core.Model):
         if not isinstance(attitude, Attitude):
             raise InputError(f"attitude: got {_check.shown(attitude)}; make one with Attitude.angles(...)")
         body_from_world = attitude.as_rotation().T
-        velocity = _either("velocity", velocity_body, velocity_world, body_from_world)
-        turn = _either("angular_velocity", angular_velocity_body, angular_velocity_world, body_from_world)
+        velocity = _check.in_body_axes("velocity", velocity_body, velocity_world, body_from_world)
+        turn = _check.in_body_axes(
+            "angular_velocity", angular_velocity_body, angular_velocity_world, body_from_world
+        )
         angles = np.zeros(3) if self.attitude == "quaternion" else attitude.as_angles(self.attitude)
         x = self.state_of(
             _check.vector("position", position, 3),
@@ -130,7 +189,21 @@ class Model(_core.Model):
         )
         if self.attitude != "quaternion":
             x[3:6] = angles
+        values = {state.name: state.initial for state in self._auxiliary} | self._given_states(states)
+        x[self.n_states - len(values) :] = list(values.values())
         return x
+
+    def _given_states(self, states: Mapping[str, float] | None) -> dict[str, float]:
+        if not isinstance(states, Mapping | None):
+            raise InputError(
+                f'states: got {_check.shown(states)}; give a dictionary such as {{"fin.servo": 0.1}}'
+            )
+        given, known = states or {}, self.auxiliary
+        for name in given:
+            if name not in known:
+                allowed = ", ".join(map(repr, known)) or "none, for no law of this model has states"
+                raise InputError(f"states: got {_check.shown(name)}; allowed are {allowed}")
+        return {name: _check.number(f"states[{name!r}]", value) for name, value in given.items()}
 
     def simulate(
         self,
@@ -195,74 +268,31 @@ class Model(_core.Model):
             progress=progress,
         )
 
+    def with_compiled(self, compiled: _core.Compiled) -> Model:
+        """The same model with a derivative that `freebody.compile` made."""
+        given = (self.body, self.forces, self.attitude, self.form, self.control, self.name)
+        return type(self)._of(*given, compiled)
+
     def linearize(self, run: Trajectory) -> Linearization:
         """The exact Jacobians A(t), B(t) at the samples of a run of this model. Konoplev (3.2)."""
         return linearize(self, run)
 
     def __reduce__(self) -> tuple[object, ...]:
-        return _restore, (self.body, self.forces, self.attitude, self.form, self.name)
+        return _restore, (self.body, self.forces, self.attitude, self.form, self.control, self.name)
 
     def __repr__(self) -> str:
         acting = ", ".join(f.name for f in self.forces) or "none"
+        if self.control is not None:
+            acting += f"; control: {self.control.name}"
         return f"<Model {self.name!r}: {self.body.name!r}, forces: {acting}; {self.attitude}, {self.form}>"
 
 
-def _restore(body: RigidBody, forces: tuple[Force, ...], attitude: str, form: Form, name: str) -> Model:
-    return Model(body, forces, attitude, form, name=name)
+def _restore(
+    body: RigidBody, forces: tuple[Force, ...], attitude: str, form: Form, control: Control | None, name: str
+) -> Model:
+    return Model(body, forces, attitude, form, control=control, name=name)
 
 
-def _checked_forces(forces: Iterable[Force]) -> tuple[Force, ...]:
-    try:
-        given = tuple(forces)
-    except TypeError:
-        raise InputError(f"forces: got {_check.shown(forces)}; give a list of force elements") from None
-    for i, force in enumerate(given):
-        if not isinstance(force, Force):
-            raise InputError(f"forces[{i}]: got {_check.shown(force)}; give a force element")
-        if isinstance(force, InputWrench) and any(
-            isinstance(f, InputWrench) and f.name == force.name for f in given[:i]
-        ):
-            raise InputError(
-                f"forces[{i}]: a second InputWrench called {force.name!r}; give each its own name=, which "
-                "its inputs bear"
-            )
-    return given
-
-
-def _either(name: str, body: ArrayLike | None, world: ArrayLike | None, body_from_world: Array) -> Array:
-    """A vector in body axes, given in body or world axes."""
-    if body is not None and world is not None:
-        raise InputError(f"{name}_body, {name}_world: both came; give one of them")
-    if body is not None:
-        return _check.vector(f"{name}_body", body, 3)
-    if world is not None:
-        with np.errstate(over="ignore", invalid="ignore"):  # beyond doubles: the core refuses the state
-            return body_from_world @ _check.vector(f"{name}_world", world, 3)
-    return np.zeros(3)
-
-
-def _xyz(stem: str) -> tuple[str, ...]:
-    return tuple(f"{stem}_{axis}" for axis in "xyz")
-
-
-def _state_labels(attitude: str, form: Form) -> tuple[tuple[str, ...], tuple[str, ...]]:
-    """Names and units of the state."""
-    turning, unit = ("angle_1", "angle_2", "angle_3"), "rad"
-    if attitude == "quaternion":
-        turning, unit = tuple(f"quaternion_{c}" for c in "wxyz"), "1"
-    names, units = [*_xyz("position"), *turning], ["m"] * 3 + [unit] * len(turning)
-    if form == "quasi_velocity":
-        names += [*_xyz("velocity"), *_xyz("angular_velocity")]
-        units += ["m/s"] * 3 + ["rad/s"] * 3
-    else:
-        names += [*_xyz("position_rate"), *(name.replace("_", "_rate_") for name in turning)]
-        units += ["m/s"] * 3 + ["rad/s" if unit == "rad" else "1/s"] * len(turning)
-    return tuple(names), tuple(units)
-
-
-def _input_labels(forces: Iterable[Force]) -> tuple[tuple[str, ...], tuple[str, ...]]:
-    """Names and units of the inputs; with several input elements each name starts with its element's."""
-    readers = [f for f in forces if isinstance(f, InputWrench)]
-    many = len(readers) > 1
-    names = [f"{f.name}.{n}" if many else n for f in readers for n in WRENCH_NAMES]
-    return tuple(names), WRENCH_UNITS * len(readers)
+def _labels(quantities: Iterable[Quantity]) -> tuple[tuple[str, ...], tuple[str, ...]]:
+    """Names and units."""
+    return tuple(q.name for q in quantities), tuple(q.unit for q in quantities)

@@ -25,6 +25,11 @@ def describe_model(model: Model, t_span: tuple[float, float]) -> Table:
     table.add_row("", f"principal moments {_vector(body.principal_moments)} kg m² about the mass centre")
     for i, force in enumerate(model.forces):
         table.add_row("" if i else "forces", f"{force.name} ({type(force).__name__})")
+    if model.control is not None:
+        commanded = ", ".join(model.command_names)
+        table.add_row(
+            "control", f"{model.control.name} ({type(model.control).__name__}) commands {commanded}"
+        )
     table.add_row(
         "state", f"{len(model.state_names)} numbers: {model.attitude}, {model.form.replace('_', ' ')}"
     )

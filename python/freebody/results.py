@@ -106,6 +106,11 @@ def _variables(run: Trajectory, points: Mapping[str, ArrayLike]) -> Iterator[Var
     if np.any(run.u):
         for name, values, unit in zip(run.model.input_names, run.u.T, run.model.input_units, strict=True):
             yield Variable(f"input_{name}", values, None, unit, f"input {name} of the model")
+    for name, unit in zip(run.model.command_names, run.model.command_units, strict=True):
+        yield Variable(f"command_{name}", run.commands[name], None, unit, f"input {name}, by the control law")
+    for name, values in run.states.items():
+        unit = run.state_units[run.state_names.index(name)]
+        yield Variable(f"state_{name}", values, None, unit, f"auxiliary state {name}")
     for name, at in points.items():
         place = ", ".join(f"{value:g}" for value in np.asarray(at, dtype=float))
         meaning = f"path of the body's point ({place}) m, world axes"

@@ -193,3 +193,27 @@ def test_a_bar_only_on_a_terminal_and_only_for_long_runs(monkeypatch, terminal, 
     with progress.LongRunProgress(Console(file=screen, force_terminal=terminal)) as bar:
         bar.update(0.5)
     assert ("simulating" in screen.getvalue()) is shown
+
+
+def test_equations_prints_latex(freebody):
+    status, out, _ = freebody("equations", "heavy_top", "--form", "2.10", "--angles", "zxz")
+    assert status == 0
+    assert out.startswith("\\begin{align*}\n")
+    assert out.count("&=") == 6
+
+
+@pytest.mark.parametrize(
+    ("language", "text"),
+    [("c", "void f_3_2("), ("numpy", "import numpy as np"), ("casadi", "import casadi as ca")],
+)
+def test_equations_writes_code_where_it_is_told(freebody, tmp_path, language, text):
+    status, out, err = freebody("equations", "heavy_top", f"--{language}", "--output", "code/rate.txt")
+    assert (status, out) == (0, "")
+    assert "code/rate.txt" in err
+    assert text in (tmp_path / "code/rate.txt").read_text()
+
+
+def test_equations_refuses_two_languages(freebody):
+    status, _, err = freebody("equations", "heavy_top", "--c", "--jax")
+    assert status == 2
+    assert "--c, --jax: these came together; give one of them" in err

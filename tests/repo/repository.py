@@ -16,7 +16,7 @@ def text_files() -> list[Path]:
         subfolders[:] = [d for d in subfolders if d not in BUILT and (d == ".ci" or not d.startswith("."))]
         paths = [Path(folder, name) for name in names]
         files += [path for path in paths if path.suffix in TEXT and not path.is_symlink()]
-    return sorted(files)
+    return sorted(path for path in files if path.name != ".git")  # a file where a work tree is a linked one
 
 
 def documents() -> list[Path]:

@@ -1,6 +1,7 @@
 """The documents say what is so: commands, code, names, paths and links."""
 
 import re
+import runpy
 import subprocess
 import sys
 from functools import cache
@@ -13,6 +14,7 @@ from repo.repository import ROOT, blocks, documents, relative
 
 README = ROOT / "README.md"
 TARGETS = set(re.findall(r"^([a-z]+):", (ROOT / "Makefile").read_text(), re.MULTILINE))
+OUTPUTS = runpy.run_path(str(ROOT / "tools/page_outputs.py"))
 PAGES = pytest.mark.parametrize("page", documents(), ids=relative)
 
 
@@ -41,10 +43,10 @@ def test_every_subcommand_exists(page):
 
 
 @PAGES
-def test_python_blocks_run(page, tmp_path, monkeypatch):
-    """The blocks of a page are one script."""
+def test_python_blocks_run_and_print_what_the_page_shows(page, tmp_path, monkeypatch):
+    """`python tools/page_outputs.py PAGE` renews what is shown."""
     monkeypatch.chdir(tmp_path)
-    exec(compile("\n".join(blocks(page, "python")), str(page), "exec"), {})
+    assert OUTPUTS["renewed"](page) == page.read_text()
 
 
 @PAGES

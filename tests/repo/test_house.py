@@ -25,6 +25,14 @@ def test_one_subject_a_file():
     assert {path: lines for path, lines in sizes.items() if lines > 300} == {}
 
 
+def test_unsafe_code_stands_where_contributing_says():
+    rule = (ROOT / "CONTRIBUTING.md").read_text().partition("## Unsafe code")[2].partition("\n## ")[0]
+    sources = {relative(p): p.read_text() for p in text_files() if p.suffix == ".rs"}
+    unsafe = {path: text for path, text in sources.items() if re.search(r"\bunsafe\b", text)}
+    assert sorted(unsafe) == sorted(re.findall(r"`(crates/[\w/.]+)`", rule))
+    assert all("// SAFETY" in text for text in unsafe.values())
+
+
 def test_the_package_imports_modules_from_its_root_and_no_names():
     """import-linter takes an import of the compiled `_core` for one of the root, and lets both pass."""
     package = ROOT / "python/freebody"

@@ -1,10 +1,12 @@
 //! A body made ready for this machine: f and its Jacobians at single states, on the best instruction set.
 
+use crate::buffer::Buffer;
 use crate::linearize;
-use crate::phase_space::FreeBody;
 use crate::phase_space::parts::{Parts, Sizes};
+use crate::phase_space::{FreeBody, elsewhere};
 use crate::scalar::isa::{Isa, with_lanes};
-use crate::scalar::{Dual, Lane};
+use crate::scalar::{Block, Dual, Lane};
+use std::sync::Arc;
 
 /// Inputs up to this count are passed on the stack.
 const ON_STACK: usize = 16;
@@ -30,8 +32,37 @@ fn number<S: Lane>(x: S) -> f64 {
     x.get(0)
 }
 
+impl<S: Lane, L: Lane> On<S, L> {
+    /// The derivative under laws of users, with their states. Apart: without them all numbers have fixed places.
+    #[inline(never)]
+    fn with_laws(&self, t: f64, x: &[f64], u: &[f64], dx: &mut [f64]) {
+        L::call(
+            #[inline(always)]
+            || {
+                let numbers = x.iter().chain(u).copied();
+                let mut given = Buffer::<S, { 2 * ON_STACK }>::new(x.len() + u.len());
+                let given = given.slice();
+                for (to, v) in given.iter_mut().zip(numbers) {
+                    *to = S::lit(v);
+                }
+                let (x, u) = given.split_at(x.len());
+                let mut rate = Buffer::<S, { 2 * ON_STACK }>::new(x.len());
+                let rate = rate.slice();
+                let sizes = self.values.sizes();
+                self.values.rate::<true>(S::lit(t), Parts::of(x, sizes), u, Parts::of_mut(rate, sizes));
+                for (d, r) in dx.iter_mut().zip(rate) {
+                    *d = number(*r);
+                }
+            },
+        );
+    }
+}
+
 impl<S: Lane, L: Lane> Evaluate for On<S, L> {
     fn derivative(&self, t: f64, x: &[f64], u: &[f64], dx: &mut [f64]) {
+        if x.len() > self.values.rigid_size() || self.values.has_laws() {
+            return self.with_laws(t, x, u, dx);
+        }
         // `S` rounds as a lane of `L` does, and in its instruction set it has more registers than in its own.
         L::call(
             #[inline(always)]
@@ -48,10 +79,13 @@ impl<S: Lane, L: Lane> Evaluate for On<S, L> {
                     *a = S::lit(*b);
                 }
                 let (sizes, all) = (self.values.sizes(), Sizes::LARGEST);
-                let mut state = [S::zero(); Sizes::LARGEST.state()];
+                let mut state = [S::zero(); Sizes::LARGEST.rigid()];
                 let mut rate = state;
                 Parts::of(x, sizes).convert(Parts::of_mut(&mut state, all), S::lit);
-                self.values.rate(S::lit(t), Parts::of(&state, all), input, Parts::of_mut(&mut rate, all));
+                // Were the ends of state and rate passed on, both would have to be in memory throughout.
+                let from = Parts { auxiliary: &[][..], ..Parts::of(&state, all) };
+                let to = Parts { auxiliary: &mut [][..], ..Parts::of_mut(&mut rate, all) };
+                self.values.rate::<false>(S::lit(t), from, input, to);
                 Parts::of(&rate, all).convert(Parts::of_mut(dx, sizes), number);
             },
         );
@@ -66,7 +100,11 @@ impl<S: Lane, L: Lane> Evaluate for On<S, L> {
 }
 
 /// A free body made ready for this machine.
-pub struct Evaluator(Box<dyn Evaluate>);
+pub struct Evaluator {
+    /// f, if it was compiled elsewhere.
+    compiled: Option<Arc<dyn Block>>,
+    kernel: Box<dyn Evaluate>,
+}
 
 impl Evaluator {
     /// On the best instruction set of this machine.
@@ -78,17 +116,24 @@ impl Evaluator {
     pub fn on(isa: Isa, body: &FreeBody<f64>) -> Self {
         assert!(Isa::available().contains(&isa), "this machine has no {isa:?}");
         with_lanes!(isa, L => {
-            Self(Box::new(On::<<L as Lane>::Single, L> { values: body.lift(), duals: body.lift() }))
+            let kernel = On::<<L as Lane>::Single, L> { values: body.lift(), duals: body.lift() };
+            let compiled = body.compiled.as_ref().map(|[block, _]| block.clone());
+            Self { compiled, kernel: Box::new(kernel) }
         })
     }
 
     /// dx = f(x, u, t); the slices are as long as state and input. Konoplev (3.2)
     pub fn derivative(&self, t: f64, x: &[f64], u: &[f64], dx: &mut [f64]) {
-        self.0.derivative(t, x, u, dx);
+        match &self.compiled {
+            Some(block) => {
+                elsewhere(&**block, t, x, u, dx);
+            }
+            None => self.kernel.derivative(t, x, u, dx),
+        }
     }
 
     /// ∂f/∂x and ∂f/∂u, by rows, exact. Konoplev (3.2)
     pub fn jacobian(&self, t: f64, x: &[f64], u: &[f64], by_state: &mut [f64], by_input: &mut [f64]) {
-        self.0.jacobian(t, x, u, by_state, by_input);
+        self.kernel.jacobian(t, x, u, by_state, by_input);
     }
 }

@@ -5,7 +5,7 @@
 use crate::algebra::{Mat3, Mat6, Vec3};
 use crate::charts::{AngleChart, Sequence};
 use crate::inertia::Inertia;
-use crate::newton_euler::{acceleration, phi_pi};
+use crate::newton_euler::{self, acceleration, phi_pi};
 use crate::scalar::Real;
 use crate::screw::{Screw, force_cross};
 
@@ -73,6 +73,11 @@ impl<T: Real> Generalized<T> {
         self.a1_inverse.apply(wrench) - self.phi1.apply(q_dot)
     }
 
+    /// The wrench A1 q̈ + B1 q̇ that a motion needs, the left side of (2.8). Konoplev (2.8)
+    pub fn inverse_dynamics(&self, q_dot: Screw<T>, q_ddot: Screw<T>) -> Screw<T> {
+        self.a1.apply(q_ddot) + self.b1.apply(q_dot)
+    }
+
     /// q̈ of (2.8): A1⁻¹(F − B1 q̇). Konoplev (2.8)
     pub fn acceleration_2_8(&self, q_dot: Screw<T>, wrench: Screw<T>) -> Screw<T> {
         self.a1_inverse.apply(wrench - self.b1.apply(q_dot))
@@ -89,6 +94,21 @@ pub fn origin_acceleration<T: Real>(rotation: Mat3<T>, twist: Screw<T>, rate: Sc
 #[inline(always)]
 pub fn angle_acceleration<T: Real>(chart: &AngleChart<T>, alpha_dot: Vec3<T>, dw: Vec3<T>) -> Vec3<T> {
     chart.rates(dw - chart.convective_rate(alpha_dot))
+}
+
+/// The left side of (2.8) by blocks: A1 q̈ + B1 q̇ = ΘV* + ΦΘV with V = D q̇, V* = D(q̈ + K q̇). Konoplev (2.8)
+#[inline(always)]
+pub fn inverse_dynamics_by_blocks<T: Real>(
+    body: &Inertia<T>,
+    chart: &AngleChart<T>,
+    q_dot: Screw<T>,
+    q_ddot: Screw<T>,
+) -> Screw<T> {
+    let v = chart.rotation.transpose_apply(q_dot.linear);
+    let w = chart.angular_velocity(q_dot.angular);
+    let linear = chart.rotation.transpose_apply(q_ddot.linear) - w.cross(v);
+    let angular = chart.angular_velocity(q_ddot.angular) + chart.convective_rate(q_dot.angular);
+    newton_euler::inverse_dynamics(body, Screw::new(v, w), Screw::new(linear, angular))
 }
 
 /// q̈ by blocks, the form that runs. Konoplev (2.7)

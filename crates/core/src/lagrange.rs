@@ -37,6 +37,11 @@ impl<T: Real> Lagrange<T> {
         self.a_inverse.apply(force) - self.phi_q.apply(q_dot)
     }
 
+    /// The generalized forces A q̈ + B q̇ that a motion needs, the left side of (2.10). Konoplev (2.10)
+    pub fn inverse_dynamics(&self, q_dot: Screw<T>, q_ddot: Screw<T>) -> Screw<T> {
+        self.a.apply(q_ddot) + self.b.apply(q_dot)
+    }
+
     /// q̈ of (2.10): A⁻¹(Q − B q̇). Konoplev (2.10)
     pub fn acceleration_2_10(&self, q_dot: Screw<T>, force: Screw<T>) -> Screw<T> {
         self.a_inverse.apply(force - self.b.apply(q_dot))

@@ -5,8 +5,11 @@
 //! Linear part first, always; SI units and radians; quaternions scalar first.
 
 pub mod algebra;
+mod buffer;
+pub mod catalog;
 pub mod charts;
 pub mod evaluate;
+pub mod expression;
 pub mod forces;
 pub mod generalized;
 pub mod inertia;

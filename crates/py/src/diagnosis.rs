@@ -3,7 +3,6 @@
 use crate::errors;
 use crate::model::Model;
 use freebody_core::phase_space::Chart;
-use freebody_core::screw::Screw;
 use pyo3::prelude::*;
 
 impl Model {
@@ -33,18 +32,22 @@ impl Model {
         if self.is_singular(x) {
             return self.singular(py, &format!("at t = {t} s "), x);
         }
-        let state = self.free_body.rigid_state(x);
-        let wrenches = self.free_body.wrenches(t, &state, u);
-        let source = match wrenches.iter().position(|w| !is_finite(w)) {
-            Some(i) => format!("the wrench of force '{}' is not finite", self.force_names[i]),
+        let culprit = match self.calling(|| self.free_body.culprit(t, x, u)) {
+            Ok(culprit) => culprit,
+            Err(raised) => return raised,
+        };
+        let forces = &self.free_body.forces;
+        let source = match culprit {
+            Some(i) => {
+                let name = &self.law_names[i];
+                match forces.get(i) {
+                    Some(f) if f.states().is_empty() => format!("the wrench of force '{name}' is not finite"),
+                    Some(_) => format!("force '{name}', its wrench or its states' rates, is not finite"),
+                    None => format!("control law '{name}' is not finite"),
+                }
+            }
             None => "the motion or the sum of its wrenches is too large for doubles".to_owned(),
         };
         errors::non_finite(py, format!("the derivative is not finite at t = {t} s, x = {x:?}: {source}"))
     }
-}
-
-fn is_finite(s: &Screw<f64>) -> bool {
-    let mut six = [0.0; 6];
-    s.store(&mut six);
-    six.iter().all(|v| v.is_finite())
 }

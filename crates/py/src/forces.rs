@@ -1,6 +1,8 @@
 //! `Force`: the core's force elements, made from checked numbers.
 
 use crate::errors;
+use crate::graph::Program;
+use crate::laws;
 use freebody_core::algebra::{Mat6, Vec3};
 use freebody_core::forces::{
     Axes, Coefficients, ConstantWrench, Force as Element, InputWrench, LinearDamping, PointMassGravity,
@@ -75,7 +77,24 @@ impl Force {
 
     #[staticmethod]
     fn input_wrench(world: bool, at: [f64; 3]) -> Self {
-        Self(Element::InputWrench(InputWrench { first: 0, at: Vec3::from_array(at), axes: axes(world) }))
+        let at = Vec3::from_array(at);
+        Self(Element::InputWrench(InputWrench {
+            places: InputWrench::<f64>::from_place(0),
+            at,
+            axes: axes(world),
+        }))
+    }
+
+    /// A program whose outputs are the wrench and the rates of its states.
+    #[staticmethod]
+    fn traced(py: Python<'_>, program: Program, parameters: Vec<f64>, n_states: usize) -> PyResult<Self> {
+        Ok(Self(Element::Traced(laws::traced(py, program, parameters, 6, n_states)?)))
+    }
+
+    /// A function from given numbers (23 + n_inputs, n) to wrenches (6, n).
+    #[staticmethod]
+    fn callback(function: Py<PyAny>, n_inputs: usize) -> Self {
+        Self(Element::Callback(laws::callback(function, n_inputs)))
     }
 }
 

@@ -2,12 +2,17 @@
 
 mod arguments;
 mod body;
+mod compiled;
 mod diagnosis;
+mod equations;
 mod errors;
 mod forces;
 mod forms;
+mod graph;
+mod laws;
 mod model;
 mod simulate;
+mod tables;
 mod toml_spans;
 
 use pyo3::prelude::*;
@@ -18,8 +23,14 @@ fn _core(m: &Bound<'_, PyModule>) -> PyResult<()> {
     m.add("__version__", env!("CARGO_PKG_VERSION"))?;
     m.add_class::<body::RigidBody>()?;
     m.add_class::<forces::Force>()?;
+    m.add_class::<compiled::Compiled>()?;
+    m.add_class::<graph::Graph>()?;
+    m.add_class::<graph::Program>()?;
+    m.add_class::<laws::Control>()?;
     m.add_class::<model::Model>()?;
     m.add_class::<simulate::RunResult>()?;
+    m.add_class::<tables::Table>()?;
+    m.add_class::<tables::Grid>()?;
     m.add_function(wrap_pyfunction!(forms::form, m)?)?;
     m.add_function(wrap_pyfunction!(simulate::simulate, m)?)?;
     m.add_function(wrap_pyfunction!(toml_spans::toml_parse, m)?)?;

@@ -2,8 +2,10 @@
 
 use crate::arguments::{number, vector, write_out};
 use crate::body::RigidBody;
+use crate::compiled::Compiled;
 use crate::errors;
 use crate::forces::Force;
+use crate::laws::{Control, place};
 use freebody_core::algebra::Vec3;
 use freebody_core::charts::Sequence;
 use freebody_core::evaluate::Evaluator;
@@ -18,7 +20,8 @@ use pyo3::prelude::*;
 pub struct Model {
     pub free_body: FreeBody<f64>,
     evaluator: Evaluator,
-    pub force_names: Vec<String>,
+    /// Of the forces, and behind them of the control law.
+    pub law_names: Vec<String>,
     states: usize,
     inputs: usize,
     /// The inputs when none are given.
@@ -49,27 +52,28 @@ impl Model {
     fn new(
         body: &RigidBody,
         forces: Vec<Force>,
-        force_names: Vec<String>,
+        law_names: Vec<String>,
         sequence: Option<&str>,
         generalized: bool,
-    ) -> PyResult<Self> {
+        input_places: Vec<Vec<usize>>,
+        n_inputs: usize,
+        control: Option<Control>,
+        control_places: Vec<usize>,
+        compiled: Option<Compiled>,
+    ) -> Self {
         let mut elements: Vec<Element<f64>> = forces.into_iter().map(|f| f.0).collect();
-        let mut first = 0;
-        for element in &mut elements {
-            if let Element::InputWrench(wrench) = element {
-                wrench.first = first;
-            }
-            first += element.input_count();
-        }
+        let mut control = control.map(|c| c.0);
+        place(&mut elements, input_places, control.as_mut().map(|c| (c, control_places)));
         let chart = match sequence.and_then(Sequence::parse) {
             Some(s) => Chart::Angles(s),
             None => Chart::Quaternion,
         };
         let form = if generalized { Form::Generalized } else { Form::QuasiVelocity };
-        let free_body = FreeBody { inertia: body.inertia, forces: elements, chart, form };
+        let compiled = compiled.map(|c| c.0);
+        let free_body = FreeBody { control, compiled, ..FreeBody::new(body.inertia, elements, chart, form) };
         let evaluator = Evaluator::new(&free_body);
         let states = Dynamics::<f64>::state_size(&free_body);
-        Ok(Self { free_body, evaluator, force_names, states, inputs: first, zeros: vec![0.0; first] })
+        Self { free_body, evaluator, law_names, states, inputs: n_inputs, zeros: vec![0.0; n_inputs] }
     }
 
     /// How many numbers a state has.
@@ -116,9 +120,14 @@ impl Model {
         let x = vector("x", x, self.states)?;
         let u = self.input(u)?;
         let (x, u) = (x.as_slice()?, self.input_slice(u.as_ref())?);
-        let mut rate = [0.0; 16];
-        let rate = &mut rate[..self.states];
-        self.evaluator.derivative(t, x, u, rate);
+        let (mut stack, mut heap) = ([0.0; 16], Vec::new());
+        let rate = if self.states <= stack.len() {
+            &mut stack[..self.states]
+        } else {
+            heap.resize(self.states, 0.0);
+            &mut heap[..]
+        };
+        self.calling(|| self.evaluator.derivative(t, x, u, rate))?;
         if !rate.iter().all(|v| v.is_finite()) || self.is_singular(x) {
             return Err(self.diagnose(py, t, x, u));
         }
@@ -141,6 +150,7 @@ impl Model {
         let x = vector("x", x, self.states)?;
         let u = self.input(u)?;
         let (x, u) = (x.as_slice()?, self.input_slice(u.as_ref())?);
+        self.refuse_callbacks(py)?;
         let (n, m) = (self.states, self.inputs);
         let (mut a, mut b) = (vec![0.0; n * n], vec![0.0; n * m]);
         self.evaluator.jacobian(t, x, u, &mut a, &mut b);
@@ -165,8 +175,8 @@ impl Model {
         let x = vector("x", x, self.states)?;
         let u = self.input(u)?;
         let (x, u) = (x.as_slice()?, self.input_slice(u.as_ref())?);
-        let state = self.free_body.rigid_state(x);
-        let sum = self.free_body.wrenches(t, &state, u).into_iter().fold(Screw::zero(), |a, b| a + b);
+        let wrenches = self.calling(|| self.free_body.wrenches(t, x, u))?;
+        let sum = wrenches.into_iter().fold(Screw::zero(), |a, b| a + b);
         let mut six = [0.0; 6];
         sum.store(&mut six);
         if !six.iter().all(|v| v.is_finite()) {
@@ -195,7 +205,24 @@ impl Model {
         Ok((array(parts.0, 3)?, array(parts.1, 4)?, array(parts.2, 6)?))
     }
 
-    /// The state of a motion; of its many angle triples the one nearest to `angles`.
+    /// What the control law commands (n, n_commands) at times (n,), states (n, n_states) and inputs (n, n_inputs).
+    fn commands<'py>(
+        &self,
+        py: Python<'py>,
+        t: PyReadonlyArray1<'py, f64>,
+        x: PyReadonlyArray2<'py, f64>,
+        u: PyReadonlyArray2<'py, f64>,
+    ) -> PyResult<Array2<'py>> {
+        let (rows, u) = (self.rows(&x)?, u.as_slice()?);
+        let mut all = Vec::new();
+        for (i, (t, row)) in t.as_slice()?.iter().zip(&rows).enumerate() {
+            all.extend(self.free_body.commands(*t, row, &u[i * self.inputs..(i + 1) * self.inputs]));
+        }
+        let n_commands = self.free_body.control.as_ref().map_or(0, |law| law.result_count());
+        PyArray1::from_vec(py, all).reshape([rows.len(), n_commands])
+    }
+
+    /// The state of a motion, its auxiliary part zero; of its many angle triples the one nearest to `angles`.
     fn state_of<'py>(
         &self,
         py: Python<'py>,

@@ -35,7 +35,7 @@ impl RunResult {
         }
     }
 
-    /// Place of the force whose wrench was not finite.
+    /// Place of the force that was not finite; one place behind them all stands the control law.
     #[getter]
     fn force(&self) -> Option<usize> {
         if let Ending::NonFinite { force } = self.0.ending { force } else { None }
@@ -101,7 +101,7 @@ pub fn simulate(
         step,
         max_steps,
     };
-    let body = &model.get().free_body;
+    let model = model.get();
     let mut failed = None;
     let result = py.detach(|| {
         let mut report = |t: f64| {
@@ -120,8 +120,8 @@ pub fn simulate(
                 }
             })
         };
-        run(body, &task, &mut report)
-    });
+        model.calling(|| run(&model.free_body, &task, &mut report))
+    })?;
     match failed {
         Some(error) => Err(error),
         None => Ok(RunResult(result)),

@@ -12,6 +12,7 @@ from freebody.errors import FreebodyError
 
 from .check import check
 from .console import errors
+from .equations import equations
 from .run import run
 from .verify import verify
 
@@ -25,6 +26,7 @@ app = typer.Typer(
 )
 app.command()(run)
 app.command()(check)
+app.command()(equations)
 app.command()(verify)
 
 

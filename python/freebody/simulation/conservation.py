@@ -23,6 +23,7 @@ def conserved(run: Trajectory) -> list[Conserved]:
     if (
         len(run) == 0
         or np.any(run.u)
+        or run.model.control is not None
         or not all(isinstance(f, UniformGravity | PointMassGravity) for f in forces)
     ):
         return []

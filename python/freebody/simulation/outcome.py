@@ -26,7 +26,7 @@ class Outcome:
     message
         The same in a sentence, with what to change.
     force
-        The name of the force that was not finite, if one was.
+        The name of the force or the control law that was not finite, if one was.
     """
 
     status: Status

@@ -141,13 +141,18 @@ def _change(attitude: str, when: float, left: bool, distance: float) -> ChartCha
 def _outcome(model: Model, result: _core.RunResult, span: tuple[float, float]) -> Outcome:
     status: Status = result.status  # type: ignore[assignment]
     t, end = result.end_time, span[1]
-    force = None if result.force is None else model.acting_names[result.force]
+    law = None if result.force is None else model.acting_names[result.force]
+    is_control = model.control is not None and result.force == len(model.acting_names) - 1
     message = {
         "reached_end": f"reached the end at t = {t:g} s",
         "step_too_small": f"the step became too small at t = {t:.9g} of {end:g} s; loosen rtol or atol, or "
         "look for a force that jumps there",
         "step_limit": f"stopped by max_steps at t = {t:.9g} of {end:g} s; raise max_steps or loosen rtol",
         "non_finite": f"the derivative is not finite at t = {t:.9g} of {end:g} s; "
-        + (f"force '{force}' made it so" if force else "the motion grew beyond all numbers"),
+        + (
+            f"{'control law' if is_control else 'force'} '{law}' made it so"
+            if law
+            else "the motion grew beyond all numbers"
+        ),
     }[status]
-    return Outcome(status, t, result.end_state, message, force)
+    return Outcome(status, t, result.end_state, message, law)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from functools import cached_property
 from typing import TYPE_CHECKING
 
@@ -71,6 +72,17 @@ class Trajectory:
     def state_units(self) -> tuple[str, ...]:
         """Units of the columns of `x`."""
         return self.model.state_units
+
+    @property
+    def states(self) -> Mapping[str, Array]:
+        """The auxiliary states by name, (n,) each, in the units of the model."""
+        return {name: self.x[:, place] for name, place in self.model.auxiliary.items()}
+
+    @cached_property
+    def commands(self) -> Mapping[str, Array]:
+        """What the control law commanded, by the names of the inputs, (n,) each, in their units."""
+        columns = self.model.commands(self.t, self.x, np.ascontiguousarray(self.u)).T
+        return dict(zip(self.model.command_names, columns, strict=True))
 
     @cached_property
     def _motion(self) -> tuple[Array, Array, Array]:

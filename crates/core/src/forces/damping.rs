@@ -1,6 +1,7 @@
 //! Damping by the motion of the body origin.
 
 use super::Situation;
+use super::wrench::about_com;
 use crate::algebra::{Mat6, Vec3};
 use crate::scalar::Real;
 use crate::screw::Screw;
@@ -48,12 +49,6 @@ fn absolute<T: Real>(a: Vec3<T>) -> Vec3<T> {
     Vec3::new(a.x.abs(), a.y.abs(), a.z.abs())
 }
 
-/// A wrench about the body origin, taken about the mass centre.
-#[inline(always)]
-fn shifted<T: Real>(wrench: Screw<T>, s: &Situation<'_, T>) -> Screw<T> {
-    Screw::new(wrench.linear, wrench.linear.cross_add(s.inertia.com, wrench.angular))
-}
-
 /// F = −D V, with V the twist of the body origin in body axes.
 #[derive(Clone, Copy, Debug)]
 pub struct LinearDamping<T> {
@@ -66,7 +61,7 @@ impl<T: Real> LinearDamping<T> {
     #[inline(always)]
     pub fn about_com(&self, s: &Situation<'_, T>) -> Screw<T> {
         let given = self.coefficients.apply(s.twist);
-        shifted(-given, s)
+        about_com(-given, s)
     }
 
     /// The parameters passed through `f`.
@@ -90,7 +85,7 @@ impl<T: Real> QuadraticDamping<T> {
     pub fn about_com(&self, s: &Situation<'_, T>) -> Screw<T> {
         let (v, w) = (s.twist.linear, s.twist.angular);
         let given = self.coefficients.apply(Screw::new(times(absolute(v), v), times(absolute(w), w)));
-        shifted(-given, s)
+        about_com(-given, s)
     }
 
     /// The parameters passed through `f`.

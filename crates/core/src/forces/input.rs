@@ -8,8 +8,8 @@ use crate::screw::Screw;
 /// Six inputs of u as force and moment in body or world axes, applied at a point of the body. Konoplev (3.2)
 #[derive(Clone, Copy, Debug)]
 pub struct InputWrench<T> {
-    /// Place of the first of the six in u.
-    pub first: usize,
+    /// Places of the six in the inputs.
+    pub places: [usize; 6],
     /// Point of application, body axes, from the body origin, m.
     pub at: Vec3<T>,
     /// The axes of the components.
@@ -17,18 +17,24 @@ pub struct InputWrench<T> {
 }
 
 impl<T: Real> InputWrench<T> {
-    /// How many inputs the element reads.
-    pub const COUNT: usize = 6;
+    /// Six places from a first one on.
+    pub fn from_place(first: usize) -> [usize; 6] {
+        std::array::from_fn(|k| first + k)
+    }
 
     /// The wrench about the mass centre.
     #[inline(always)]
     pub fn about_com(&self, s: &Situation<'_, T>) -> Screw<T> {
-        self.axes.about_com(Screw::from_slice(&s.inputs[self.first..]), self.at, s)
+        let mut six = [T::zero(); 6];
+        for (x, place) in six.iter_mut().zip(self.places) {
+            *x = s.inputs[place];
+        }
+        self.axes.about_com(Screw::from_slice(&six), self.at, s)
     }
 
     /// The parameters passed through `f`.
     #[inline(always)]
     pub fn map<U: Real>(&self, f: &mut impl FnMut(T) -> U) -> InputWrench<U> {
-        InputWrench { first: self.first, at: self.at.map(f), axes: self.axes }
+        InputWrench { places: self.places, at: self.at.map(f), axes: self.axes }
     }
 }

@@ -8,6 +8,7 @@ mod gravity;
 mod input;
 mod point_mass;
 mod tabulated;
+mod traced;
 mod wrench;
 
 pub use damping::{Coefficients, LinearDamping, QuadraticDamping};
@@ -15,12 +16,14 @@ pub use gravity::UniformGravity;
 pub use input::InputWrench;
 pub use point_mass::PointMassGravity;
 pub use tabulated::TabulatedWrench;
+pub use traced::{Callback, Places, Traced};
 pub use wrench::{Axes, ConstantWrench};
 
 use crate::algebra::{Mat3, Vec3};
 use crate::inertia::Inertia;
 use crate::scalar::Real;
 use crate::screw::Screw;
+use std::ops::Range;
 
 /// What a force element can see.
 #[derive(Clone, Copy, Debug)]
@@ -35,8 +38,10 @@ pub struct Situation<'a, T> {
     pub twist: Screw<T>,
     /// The body that the force acts on.
     pub inertia: &'a Inertia<T>,
-    /// All inputs u of the model.
+    /// All inputs of the forces: u, and behind it what a control law commands.
     pub inputs: &'a [T],
+    /// All auxiliary states.
+    pub states: &'a [T],
 }
 
 impl<T: Real> Situation<'_, T> {
@@ -64,6 +69,10 @@ pub enum Force<T> {
     QuadraticDamping(QuadraticDamping<T>),
     /// See [`InputWrench`].
     InputWrench(InputWrench<T>),
+    /// See [`Traced`].
+    Traced(Traced<T>),
+    /// See [`Callback`].
+    Callback(Callback),
 }
 
 /// The wrench of an element, computed in code of its own.
@@ -72,20 +81,21 @@ pub enum Force<T> {
 /// need before the loop, in models without them too. Situation and wrench are copied, so that the
 /// originals can stay in registers.
 macro_rules! apart {
-    ($force:expr, $s:expr) => {{
+    ($force:expr, $s:expr $(, $rates:expr)?) => {{
         let (s, mut wrench) = (*$s, [T::zero(); 6]);
         T::call(
             #[inline(always)]
-            || $force.about_com(&s).store(&mut wrench),
+            || $force.about_com(&s $(, $rates)?).store(&mut wrench),
         );
         Screw::from_slice(&wrench)
     }};
 }
 
 impl<T: Real> Force<T> {
-    /// The wrench in body axes about the mass centre, N and N m: what the kernel sums.
+    /// The wrench in body axes about the mass centre, N and N m: what the kernel sums. The rates of the element's
+    /// states are written to their places in `rates`.
     #[inline(always)]
-    pub fn about_com(&self, s: &Situation<'_, T>) -> Screw<T> {
+    pub fn about_com(&self, s: &Situation<'_, T>, rates: &mut [T]) -> Screw<T> {
         match self {
             Self::UniformGravity(f) => f.about_com(s),
             Self::ConstantWrench(f) => f.about_com(s),
@@ -97,12 +107,14 @@ impl<T: Real> Force<T> {
             Self::PointMassGravity(f) => apart!(f, s),
             Self::TabulatedWrench(f) => apart!(f, s),
             Self::QuadraticDamping(f) => apart!(f, s),
+            Self::Traced(f) => apart!(f, s, rates),
+            Self::Callback(f) => apart!(f, s),
         }
     }
 
-    /// The wrench in body axes about the body origin, N and N m.
-    pub fn about_origin(&self, s: &Situation<'_, T>) -> Screw<T> {
-        let w = self.about_com(s);
+    /// The wrench in body axes about the body origin, N and N m; rates as above.
+    pub fn about_origin(&self, s: &Situation<'_, T>, rates: &mut [T]) -> Screw<T> {
+        let w = self.about_com(s, rates);
         Screw::new(w.linear, w.angular + s.inertia.com.cross(w.linear))
     }
 
@@ -115,9 +127,19 @@ impl<T: Real> Force<T> {
         }
     }
 
-    /// How many inputs of u the element reads.
-    pub fn input_count(&self) -> usize {
-        if matches!(self, Force::InputWrench(_)) { InputWrench::<T>::COUNT } else { 0 }
+    /// The place behind the last input that the element reads.
+    pub fn inputs_end(&self) -> usize {
+        match self {
+            Force::InputWrench(f) => f.places.iter().max().map_or(0, |place| place + 1),
+            Force::Traced(f) => f.places.inputs_end(),
+            Force::Callback(f) => f.places.inputs_end(),
+            _ => 0,
+        }
+    }
+
+    /// The places of the element's own states among all auxiliary states.
+    pub fn states(&self) -> Range<usize> {
+        if let Force::Traced(f) = self { f.places.states.clone() } else { 0..0 }
     }
 
     /// Times at which the wrench or its slope jumps: integrators step onto them.
@@ -136,6 +158,8 @@ impl<T: Real> Force<T> {
             Force::LinearDamping(e) => Force::LinearDamping(e.map(f)),
             Force::QuadraticDamping(e) => Force::QuadraticDamping(e.map(f)),
             Force::InputWrench(e) => Force::InputWrench(e.map(f)),
+            Force::Traced(e) => Force::Traced(e.map(f)),
+            Force::Callback(e) => Force::Callback(e.clone()),
         }
     }
 }

@@ -30,6 +30,12 @@ impl Axes {
     }
 }
 
+/// A wrench in body axes about the body origin, taken about the mass centre.
+#[inline(always)]
+pub fn about_com<T: Real>(wrench: Screw<T>, s: &Situation<'_, T>) -> Screw<T> {
+    Screw::new(wrench.linear, wrench.linear.cross_add(s.inertia.com, wrench.angular))
+}
+
 /// A force and a moment, constant in body or world axes, applied at a point of the body. Konoplev (1.1)
 #[derive(Clone, Copy, Debug)]
 pub struct ConstantWrench<T> {

@@ -36,6 +36,11 @@ impl<T: Real> Inertia<T> {
         Self { mass, com, about_com, inverse_mass: T::one() / mass, inverse_about_com: about_com.inverse() }
     }
 
+    /// Of a mass, a mass centre and the inertia J about the origin of the body frame.
+    pub fn of_origin(mass: T, com: Vec3<T>, about_origin: Sym3<T>) -> Self {
+        Self::new(mass, com, about_origin - Sym3::of_unit_mass(com).scale(mass))
+    }
+
     /// The inertia tensor J about the origin of the body frame.
     #[inline(always)]
     pub fn about_origin(&self) -> Sym3<T> {

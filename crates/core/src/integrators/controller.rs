@@ -2,8 +2,8 @@
 
 use super::sums::squared_length;
 use super::{Block, ErrorScale, Method, Tolerance};
-use crate::scalar::Lane;
-use std::f64::consts::{FRAC_1_SQRT_2, LN_2, LOG2_E};
+use crate::scalar::{Lane, exponent, mantissa};
+use std::f64::consts::{LN_2, LOG2_E};
 
 /// What stands for an error that is not finite: far above any that is accepted.
 pub(super) const HUGE: f64 = 1e200;
@@ -105,22 +105,3 @@ pub(super) fn power<T: Lane>(x: T, p: f64) -> T {
 
 const MANTISSA: u32 = f64::MANTISSA_DIGITS - 1;
 const TWO_52: f64 = (1u64 << MANTISSA) as f64;
-const EXPONENT_OF_ONE: u64 = 1023;
-
-/// `e + 1023` of `x = m 2^e` with `m` in `[√½, √2)`.
-#[inline(always)]
-fn biased_exponent(x: f64) -> u64 {
-    x.to_bits().wrapping_add(1f64.to_bits() - FRAC_1_SQRT_2.to_bits()) >> MANTISSA
-}
-
-/// The `m` of `x = m 2^e`.
-#[inline(always)]
-fn mantissa(x: f64) -> f64 {
-    f64::from_bits(x.to_bits().wrapping_sub(biased_exponent(x).wrapping_sub(EXPONENT_OF_ONE) << MANTISSA))
-}
-
-/// The `e` of `x = m 2^e`; an integer becomes a number when it is put into the mantissa of 2^52.
-#[inline(always)]
-fn exponent(x: f64) -> f64 {
-    f64::from_bits(biased_exponent(x) | TWO_52.to_bits()) - (TWO_52 + EXPONENT_OF_ONE as f64)
-}

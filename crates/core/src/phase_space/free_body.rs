@@ -1,18 +1,24 @@
 //! The free rigid body with its forces, in any chart and either kind of velocity.
 
 use super::Dynamics;
+use super::laws::{command, elsewhere};
 use super::orientation::{Orientation, quaternion_of};
 use super::parts::{Parts, Sizes, convert};
-use crate::algebra::{Mat3, Vec3, normalized};
+use crate::algebra::{Vec3, normalized};
+use crate::buffer::Buffer;
 use crate::charts::{Sequence, angular_velocity, quaternion_rate};
-use crate::forces::{Force, Situation};
+use crate::forces::{Force, Situation, Traced};
 use crate::generalized::origin_acceleration;
 use crate::inertia::Inertia;
-use crate::integrators::{Block, ErrorScale};
+use crate::integrators::{Block as ErrorBlock, ErrorScale};
 use crate::newton_euler::acceleration_about_com;
-use crate::scalar::Real;
+use crate::scalar::{Block, Real};
 use crate::screw::Screw;
 use std::convert::identity;
+use std::sync::Arc;
+
+/// Up to this many inputs are passed on the stack.
+const ON_STACK: usize = 16;
 
 /// How the orientation is written in the state.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -40,7 +46,8 @@ pub enum Form {
     Generalized,
 }
 
-/// A free rigid body with its forces: x = (o, orientation, velocities). Konoplev (3.2)
+/// A free rigid body with its forces: x = (o, orientation, velocities), then the auxiliary states of the forces and
+/// of the control law. Konoplev (3.2)
 #[derive(Clone, Debug)]
 pub struct FreeBody<T> {
     /// The body.
@@ -51,19 +58,62 @@ pub struct FreeBody<T> {
     pub chart: Chart,
     /// The kind of velocity.
     pub form: Form,
+    /// All traced forces as one: the lifted body has it instead of them.
+    pub law: Option<Traced<T>>,
+    /// What commands the inputs behind those of u.
+    pub control: Option<Traced<T>>,
+    /// f compiled elsewhere, of (t, x, u): in the chart above, and in quaternions.
+    pub compiled: Option<[Arc<dyn Block>; 2]>,
 }
 
 impl<T: Real> FreeBody<T> {
-    /// The sum of all wrenches, in body axes about the mass centre.
+    /// Without control.
+    pub fn new(inertia: Inertia<T>, forces: Vec<Force<T>>, chart: Chart, form: Form) -> Self {
+        Self { inertia, forces, chart, form, law: None, control: None, compiled: None }
+    }
+
+    /// Whether laws of users act or command.
     #[inline(always)]
-    fn wrench(&self, t: T, o: Vec3<T>, rotation: Mat3<T>, twist: Screw<T>, u: &[T]) -> Screw<T> {
-        let inertia = &self.inertia;
-        let s = Situation { time: t, position: o, rotation, twist, inertia, inputs: u };
+    pub(crate) fn has_laws(&self) -> bool {
+        self.law.is_some() || self.control.is_some()
+    }
+
+    /// The sum of all wrenches, in body axes about the mass centre; the rates of the auxiliary states are written.
+    #[inline(always)]
+    fn wrench<const LAWS: bool>(&self, s: Situation<'_, T>, rates: &mut [T]) -> Screw<T> {
+        if !LAWS {
+            return self.sum(&s, rates);
+        }
+        let commands = self.control.as_ref().map_or(0, Traced::result_count);
+        let mut all = Buffer::<T, ON_STACK>::new(s.inputs.len() + commands);
+        let s = match &self.control {
+            Some(law) => {
+                command(law, &s, all.slice(), rates);
+                Situation { inputs: all.slice(), ..s }
+            }
+            None => s,
+        };
+        let sum = self.sum(&s, rates);
+        match &self.law {
+            Some(law) => sum + law.about_com(&s, rates),
+            None => sum,
+        }
+    }
+
+    /// The sum over all forces but the one law.
+    #[inline(always)]
+    fn sum(&self, s: &Situation<'_, T>, rates: &mut [T]) -> Screw<T> {
         let mut sum = Screw::zero();
         for f in &self.forces {
-            sum = sum + f.about_com(&s);
+            sum = sum + f.about_com(s, rates);
         }
         sum
+    }
+
+    /// How many numbers of a state are the rigid body's; behind them are the auxiliary ones.
+    #[inline(always)]
+    pub fn rigid_size(&self) -> usize {
+        self.sizes().rigid()
     }
 
     /// How many numbers the parts of a state have.
@@ -77,9 +127,11 @@ impl<T: Real> FreeBody<T> {
         Sizes { orientation, turning }
     }
 
-    /// dx = f(x, u, t), part by part. Konoplev (3.2)
+    /// dx = f(x, u, t), part by part; with `LAWS` where there are any. Konoplev (3.2)
+    ///
+    /// With laws it is code of its own: within one, what they are given would be made ready for all bodies.
     #[inline(always)]
-    pub(crate) fn rate(&self, t: T, x: Parts<&[T]>, u: &[T], dx: Parts<&mut [T]>) {
+    pub(crate) fn rate<const LAWS: bool>(&self, t: T, x: Parts<&[T]>, u: &[T], dx: Parts<&mut [T]>) {
         // Where the body is and how it moves, out of any chart and form ...
         let at = Orientation::read(self.chart, x.orientation);
         let rotation = at.rotation();
@@ -91,7 +143,12 @@ impl<T: Real> FreeBody<T> {
             }
         };
         // ... the equation itself ...
-        let wrench = self.wrench(t, Vec3::from_slice(x.position), rotation, twist, u);
+        let position = Vec3::from_slice(x.position);
+        let (inertia, states) = (&self.inertia, x.auxiliary);
+        let wrench = self.wrench::<LAWS>(
+            Situation { time: t, position, rotation, twist, inertia, inputs: u, states },
+            dx.auxiliary,
+        );
         let rate = acceleration_about_com(&self.inertia, twist, wrench);
         // ... and back into them.
         match self.form {
@@ -110,7 +167,7 @@ impl<T: Real> FreeBody<T> {
         }
     }
 
-    /// The same body and forces with every parameter passed through `f`.
+    /// The same body and laws with every parameter passed through `f`; what was compiled knows none of them.
     ///
     /// Call inside [`Real::call`] of `U`.
     #[inline(always)]
@@ -120,39 +177,62 @@ impl<T: Real> FreeBody<T> {
         for force in &self.forces {
             forces.push(force.map(f));
         }
-        FreeBody { inertia, forces, chart: self.chart, form: self.form }
-    }
-}
-
-impl FreeBody<f64> {
-    /// The same body over another scalar, every parameter a constant of it.
-    pub fn lift<T: Real>(&self) -> FreeBody<T> {
-        T::call(
+        let law = self.law.as_ref().map(
             #[inline(always)]
-            || self.map(&mut T::lit),
-        )
+            |law| law.map(f),
+        );
+        let control = self.control.as_ref().map(
+            #[inline(always)]
+            |law| law.map(f),
+        );
+        FreeBody { inertia, forces, chart: self.chart, form: self.form, law, control, compiled: None }
     }
 }
 
 impl<T: Real> Dynamics<T> for FreeBody<T> {
     #[inline(always)]
     fn state_size(&self) -> usize {
-        self.sizes().state()
+        let mut n = self.rigid_size();
+        for f in &self.forces {
+            n += f.states().len();
+        }
+        for law in [&self.law, &self.control].into_iter().flatten() {
+            n += law.places.states.len();
+        }
+        n
     }
 
     #[inline(always)]
     fn input_size(&self) -> usize {
         let mut n = 0;
         for f in &self.forces {
-            n += f.input_count();
+            n = n.max(f.inputs_end());
         }
-        n
+        if let Some(law) = &self.law {
+            n = n.max(law.places.inputs_end());
+        }
+        match &self.control {
+            Some(law) => law.places.inputs_end().max(n.saturating_sub(law.result_count())),
+            None => n,
+        }
     }
 
     #[inline(always)]
     fn derivative(&self, t: T, x: &[T], u: &[T], dx: &mut [T]) {
+        if let Some([block, _]) = &self.compiled
+            && elsewhere(&**block, t, x, u, dx)
+        {
+            return;
+        }
         let sizes = self.sizes();
-        self.rate(t, Parts::of(x, sizes), u, Parts::of_mut(dx, sizes));
+        if self.has_laws() {
+            T::call(
+                #[inline(always)]
+                || self.rate::<true>(t, Parts::of(x, sizes), u, Parts::of_mut(dx, sizes)),
+            );
+        } else {
+            self.rate::<false>(t, Parts::of(x, sizes), u, Parts::of_mut(dx, sizes));
+        }
     }
 
     /// The unit quaternion back to length one, and its rate back to the tangent.
@@ -169,15 +249,19 @@ impl<T: Real> Dynamics<T> for FreeBody<T> {
         }
     }
 
-    fn error_blocks(&self) -> Vec<Block> {
+    fn error_blocks(&self) -> Vec<ErrorBlock> {
         let Sizes { orientation, turning } = self.sizes();
         let n = 3 + orientation;
         let radian = if self.chart == Chart::Quaternion { 0.5 } else { 1.0 };
-        vec![
-            Block { start: 0, len: 3, scale: ErrorScale::Relative },
-            Block { start: 3, len: orientation, scale: ErrorScale::Fixed(radian) },
-            Block { start: n, len: 3, scale: ErrorScale::Relative },
-            Block { start: n + 3, len: turning, scale: ErrorScale::Relative },
-        ]
+        let mut blocks = vec![
+            ErrorBlock { start: 0, len: 3, scale: ErrorScale::Relative },
+            ErrorBlock { start: 3, len: orientation, scale: ErrorScale::Fixed(radian) },
+            ErrorBlock { start: n, len: 3, scale: ErrorScale::Relative },
+            ErrorBlock { start: n + 3, len: turning, scale: ErrorScale::Relative },
+        ];
+        for start in self.rigid_size()..self.state_size() {
+            blocks.push(ErrorBlock { start, len: 1, scale: ErrorScale::Relative });
+        }
+        blocks
     }
 }

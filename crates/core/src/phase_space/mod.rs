@@ -1,11 +1,14 @@
 //! The equations as x' = f(x, u, t): (3.1), (3.2).
 
 mod free_body;
+mod laws;
+mod lift;
 mod orientation;
 pub(crate) mod parts;
 mod state;
 
 pub use free_body::{Chart, Form, FreeBody};
+pub(crate) use laws::elsewhere;
 pub use state::RigidState;
 
 use crate::algebra::Vec3;

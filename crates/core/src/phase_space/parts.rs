@@ -11,6 +11,8 @@ pub struct Parts<P> {
     pub velocity: P,
     /// Angular velocity or rates of the orientation: three or four numbers.
     pub turning: P,
+    /// The auxiliary states of the laws, whatever is left.
+    pub auxiliary: P,
 }
 
 /// How many numbers those parts have that may have three or four.
@@ -24,9 +26,9 @@ impl Sizes {
     /// With a place for whatever any state has.
     pub const LARGEST: Self = Self { orientation: 4, turning: 4 };
 
-    /// How many numbers the whole state has.
+    /// How many numbers the rigid body's state has.
     #[inline(always)]
-    pub const fn state(self) -> usize {
+    pub const fn rigid(self) -> usize {
         6 + self.orientation + self.turning
     }
 }
@@ -38,10 +40,11 @@ impl<'a, T> Parts<&'a [T]> {
         let (position, x) = x.split_at(3);
         let (orientation, x) = x.split_at(sizes.orientation);
         let (velocity, x) = x.split_at(3);
-        Self { position, orientation, velocity, turning: &x[..sizes.turning] }
+        let (turning, auxiliary) = x.split_at(sizes.turning);
+        Self { position, orientation, velocity, turning, auxiliary }
     }
 
-    /// Writes all numbers passed through `f`.
+    /// Writes the numbers of the rigid body passed through `f`.
     #[inline(always)]
     pub fn convert<U>(self, to: Parts<&mut [U]>, f: impl Fn(T) -> U)
     where
@@ -61,7 +64,8 @@ impl<'a, T> Parts<&'a mut [T]> {
         let (position, x) = x.split_at_mut(3);
         let (orientation, x) = x.split_at_mut(sizes.orientation);
         let (velocity, x) = x.split_at_mut(3);
-        Self { position, orientation, velocity, turning: &mut x[..sizes.turning] }
+        let (turning, auxiliary) = x.split_at_mut(sizes.turning);
+        Self { position, orientation, velocity, turning, auxiliary }
     }
 }
 

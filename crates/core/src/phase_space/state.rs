@@ -3,7 +3,6 @@
 use super::{Chart, Form, FreeBody};
 use crate::algebra::{Mat3, Vec3, normalized, quaternion_from_rotation, rotation_from_quaternion};
 use crate::charts::{AngleChart, angular_velocity, quaternion_rate};
-use crate::forces::Situation;
 use crate::newton_euler::momentum_world;
 use crate::screw::Screw;
 
@@ -62,7 +61,7 @@ impl FreeBody<f64> {
         }
     }
 
-    /// Writes the state x of a motion; of the many angle triples, or of ±η, the one nearest to `like`.
+    /// Writes the state x of a motion, all but its auxiliary part; of the many angle triples, or of ±η, the one nearest to `like`.
     ///
     /// `like` is another state x of this model: the sample before this one.
     pub fn write_state(&self, s: &RigidState, like: &[f64], x: &mut [f64]) {
@@ -79,7 +78,7 @@ impl FreeBody<f64> {
                     Form::QuasiVelocity => s.twist.store(velocities),
                     Form::Generalized => {
                         velocity.store(velocities);
-                        velocities[3..].copy_from_slice(&quaternion_rate(q, s.twist.angular));
+                        velocities[3..7].copy_from_slice(&quaternion_rate(q, s.twist.angular));
                     }
                 }
             }
@@ -106,27 +105,9 @@ impl FreeBody<f64> {
         }
     }
 
-    /// What the forces see in a motion.
-    fn situation<'a>(&'a self, t: f64, s: &RigidState, u: &'a [f64]) -> Situation<'a, f64> {
-        Situation {
-            time: t,
-            position: s.position,
-            rotation: s.rotation(),
-            twist: s.twist,
-            inertia: &self.inertia,
-            inputs: u,
-        }
-    }
-
-    /// The wrench of each force, in body axes about the body origin.
-    pub fn wrenches(&self, t: f64, s: &RigidState, u: &[f64]) -> Vec<Screw<f64>> {
-        let situation = self.situation(t, s, u);
-        self.forces.iter().map(|f| f.about_origin(&situation)).collect()
-    }
-
     /// The kinetic energy and the sum of the potential energies, J.
     pub fn energies(&self, t: f64, s: &RigidState) -> (f64, f64) {
-        let situation = self.situation(t, s, &[]);
+        let situation = self.situation(t, s, &[], &[]);
         let potential = self.forces.iter().filter_map(|f| f.potential_energy(&situation)).sum();
         (self.inertia.kinetic_energy(s.twist), potential)
     }

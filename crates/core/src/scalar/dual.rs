@@ -1,6 +1,6 @@
 //! Numbers that carry exact derivatives.
 
-use super::{Real, Table};
+use super::{Block, Elementary, Grid, Real, Table};
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
 /// A value and its derivatives in `K` directions, over any [`Real`].
@@ -30,6 +30,16 @@ impl<T: Real, const K: usize> Dual<T, K> {
             *s = df * *s;
         }
         Self { value: f, slope }
+    }
+
+    /// The same with the slopes of `x`, times `df`, added.
+    #[inline(always)]
+    fn plus(self, x: Self, df: T) -> Self {
+        let mut slope = self.slope;
+        for (s, o) in slope.iter_mut().zip(x.slope) {
+            *s = df.fma(o, *s);
+        }
+        Self { value: self.value, slope }
     }
 }
 
@@ -134,6 +144,48 @@ impl<T: Real, const K: usize> Real for Dual<T, K> {
     #[inline(always)]
     fn lookup(self, table: &Table) -> Self {
         self.chain(self.value.lookup(table), self.value.lookup(table.slope()))
+    }
+    #[inline(always)]
+    fn lookup_2(self, y: Self, grid: &Grid) -> Self {
+        let (by_x, by_y) = (grid.slope_x(), grid.slope_y());
+        let along_x = self.chain(self.value.lookup_2(y.value, grid), self.value.lookup_2(y.value, by_x));
+        along_x.plus(y, self.value.lookup_2(y.value, by_y))
+    }
+    #[inline(always)]
+    fn elementary(self, f: Elementary) -> Self {
+        let (x, one) = (self.value, T::one());
+        let y = x.elementary(f);
+        let slope = match f {
+            Elementary::Tan => y.fma(y, one),
+            Elementary::Asin => one / ((one - x) * (one + x)).sqrt(),
+            Elementary::Acos => -(one / ((one - x) * (one + x)).sqrt()),
+            Elementary::Atan => one / x.fma(x, one),
+            Elementary::Sinh => x.elementary(Elementary::Cosh),
+            Elementary::Cosh => x.elementary(Elementary::Sinh),
+            Elementary::Tanh => (-y).fma(y, one),
+            Elementary::Exp => y,
+            Elementary::Ln => one / x,
+            Elementary::Floor => T::zero(),
+        };
+        self.chain(y, slope)
+    }
+    #[inline(always)]
+    fn atan2(self, x: Self) -> Self {
+        let inverse = T::one() / self.value.fma(self.value, x.value * x.value);
+        self.chain(self.value.atan2(x.value), x.value * inverse).plus(x, -(self.value * inverse))
+    }
+    #[inline(always)]
+    fn pow(self, y: Self) -> Self {
+        let (x, zero) = (self.value, T::zero());
+        let power = x.pow(y.value);
+        // A base that is not positive has no derivative by the exponent; a constant exponent needs none.
+        let ln = T::select_le(x, zero, zero, x.elementary(Elementary::Ln));
+        // At zero, the slope of a constant is zero times infinity.
+        let lower = T::select_le(x.abs() + y.value.abs(), zero, zero, x.pow(y.value - T::one()));
+        self.chain(power, y.value * lower).plus(y, power * ln)
+    }
+    fn outside(_: &dyn Block, _: &[Self], _: &mut [Self]) -> bool {
+        false
     }
     #[inline(always)]
     fn call<R>(f: impl FnOnce() -> R) -> R {

@@ -1,7 +1,7 @@
 //! One number with fused products.
 
-use super::trigonometry;
-use super::{Lane, Real, Table};
+use super::{Block, Elementary, Grid, Lane, Real, Table};
+use super::{arctangent, block, elementary, trigonometry};
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
 /// An `f64` whose [`Real::fma`] rounds once.
@@ -64,6 +64,27 @@ impl Real for Fused {
     #[inline(always)]
     fn lookup(self, table: &Table) -> Self {
         Self(table.value(self.0))
+    }
+    #[inline(always)]
+    fn lookup_2(self, y: Self, grid: &Grid) -> Self {
+        Self(grid.value(self.0, y.0))
+    }
+    #[inline(always)]
+    fn elementary(self, f: Elementary) -> Self {
+        elementary::of_one(f, self)
+    }
+    #[inline(always)]
+    fn atan2(self, x: Self) -> Self {
+        arctangent::atan2(self, x)
+    }
+    #[inline(always)]
+    fn pow(self, y: Self) -> Self {
+        elementary::pow(self, y)
+    }
+    #[inline(always)]
+    fn outside(block: &dyn Block, given: &[Self], out: &mut [Self]) -> bool {
+        block::call(block, given, out);
+        true
     }
     #[inline(always)]
     fn call<R>(f: impl FnOnce() -> R) -> R {

@@ -5,8 +5,8 @@
 //! that is not inlined there stays right but silently loses the instruction set, and with it a factor
 //! of 3 to 80 in speed; `make check` looks for such functions in the built library.
 
-use super::trigonometry;
-use super::{Real, Table};
+use super::{Block, Elementary, Grid, Real, Table};
+use super::{arctangent, block, elementary, trigonometry};
 
 /// A [`Real`] that holds [`Lane::N`] independent numbers.
 pub trait Lane: Real {
@@ -74,6 +74,27 @@ impl Real for f64 {
     #[inline(always)]
     fn lookup(self, table: &Table) -> Self {
         table.value(self)
+    }
+    #[inline(always)]
+    fn lookup_2(self, y: Self, grid: &Grid) -> Self {
+        grid.value(self, y)
+    }
+    #[inline(always)]
+    fn elementary(self, f: Elementary) -> Self {
+        elementary::of_one(f, self)
+    }
+    #[inline(always)]
+    fn atan2(self, x: Self) -> Self {
+        arctangent::atan2(self, x)
+    }
+    #[inline(always)]
+    fn pow(self, y: Self) -> Self {
+        elementary::pow(self, y)
+    }
+    #[inline(always)]
+    fn outside(block: &dyn Block, given: &[Self], out: &mut [Self]) -> bool {
+        block::call(block, given, out);
+        true
     }
     #[inline(never)]
     fn call<R>(f: impl FnOnce() -> R) -> R {

@@ -4,18 +4,29 @@
 //! trajectory per SIMD lane ([`Lane`] types), or with derivatives carried along ([`Dual`]).
 //! Formulas never branch on a value: a choice is a [`Real::select_le`].
 
+mod arcsine;
+mod arctangent;
+mod block;
 mod dual;
+mod elementary;
+mod exponential;
 mod fused;
+mod grid;
 pub mod isa;
 mod lanes;
 mod registers;
+mod spline;
 mod table;
 #[cfg(test)]
 pub(crate) mod tests;
 mod trigonometry;
 
+pub use block::Block;
 pub use dual::Dual;
+pub use elementary::Elementary;
+pub(crate) use exponential::{exponent, mantissa};
 pub use fused::Fused;
+pub use grid::{Grid, Patch};
 pub use lanes::Lane;
 #[cfg(target_arch = "aarch64")]
 pub use registers::Neon;
@@ -53,6 +64,16 @@ pub trait Real:
     fn select_le(a: Self, b: Self, x: Self, y: Self) -> Self;
     /// The value of a tabulated function at `self`.
     fn lookup(self, table: &Table) -> Self;
+    /// The value of a tabulated function of two variables at (`self`, `y`).
+    fn lookup_2(self, y: Self, grid: &Grid) -> Self;
+    /// A function of one number.
+    fn elementary(self, f: Elementary) -> Self;
+    /// The angle of the point (`x`, `self`), in [-π, π]; at -π for a `self` of -0 and a negative `x`.
+    fn atan2(self, x: Self) -> Self;
+    /// `self` to the power `y`.
+    fn pow(self, y: Self) -> Self;
+    /// Calls a function that was compiled elsewhere; false, with nothing written, if this scalar is no plain number.
+    fn outside(block: &dyn Block, given: &[Self], out: &mut [Self]) -> bool;
     /// Runs `f` in code compiled for the instruction set of this type.
     ///
     /// This is the only place where the kernel is outlined: one copy per caller and instruction set.

@@ -125,6 +125,31 @@ macro_rules! register {
                 Self::from_array(x)
             }
             #[inline(always)]
+            fn lookup_2(self, y: Self, grid: &Grid) -> Self {
+                let (mut x, y) = (self.array(), y.array());
+                for (v, y) in x.iter_mut().zip(y) {
+                    *v = grid.value(*v, y);
+                }
+                Self::from_array(x)
+            }
+            #[inline(always)]
+            fn elementary(self, f: Elementary) -> Self {
+                elementary::of_one(f, self)
+            }
+            #[inline(always)]
+            fn atan2(self, x: Self) -> Self {
+                arctangent::atan2(self, x)
+            }
+            #[inline(always)]
+            fn pow(self, y: Self) -> Self {
+                elementary::pow(self, y)
+            }
+            #[inline(always)]
+            fn outside(block: &dyn Block, given: &[Self], out: &mut [Self]) -> bool {
+                block::call(block, given, out);
+                true
+            }
+            #[inline(always)]
             fn call<R>(f: impl FnOnce() -> R) -> R {
                 #[target_feature(enable = $feature)]
                 #[inline(never)]
@@ -170,7 +195,8 @@ macro_rules! register {
 
 #[cfg(target_arch = "x86_64")]
 mod x86 {
-    use crate::scalar::{Lane, Real, Table, trigonometry};
+    use crate::scalar::{Block, Elementary, Grid, Lane, Real, Table};
+    use crate::scalar::{arctangent, block, elementary, trigonometry};
     use std::arch::x86_64::*;
 
     register! {
@@ -235,7 +261,8 @@ pub use x86::{Avx2, Avx512, Sse2};
 
 #[cfg(target_arch = "aarch64")]
 mod arm {
-    use crate::scalar::{Lane, Real, Table, trigonometry};
+    use crate::scalar::{Block, Elementary, Grid, Lane, Real, Table};
+    use crate::scalar::{arctangent, block, elementary, trigonometry};
     use std::arch::aarch64::*;
 
     register! {

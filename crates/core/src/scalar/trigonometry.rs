@@ -16,7 +16,9 @@ const MAX_LANES: usize = 8;
 
 // π/2 in pieces, and the polynomials below: fdlibm 5.3 (Sun Microsystems, 1993), e_rem_pio2.c,
 // k_sin.c, k_cos.c. A piece of 33 bits times k < 2^20 is exact, with or without a fused product.
-const PIO2_1: f64 = 1.570_796_326_734_125_6;
+pub(super) const PIO2_1: f64 = 1.570_796_326_734_125_6;
+/// All of π/2 that the first piece leaves.
+pub(super) const PIO2_REST: f64 = 6.077_100_506_506_192e-11;
 const PIO2_2: f64 = 6.077_100_506_303_966e-11;
 const PIO2_3: f64 = 2.022_266_248_711_166_5e-21;
 const PIO2_3_REST: f64 = 8.478_427_660_368_9e-32;

@@ -9,7 +9,7 @@ mod samples;
 pub use inputs::Inputs;
 
 use crate::integrators::{Dop853, Dp54, Rk4, Tolerance};
-use crate::phase_space::{Chart, FreeBody};
+use crate::phase_space::FreeBody;
 use crate::scalar::isa::{Isa, with_scalar};
 
 /// The methods of integration.
@@ -53,9 +53,9 @@ pub enum Ending {
     StepTooSmall,
     /// `max_steps` were done.
     StepLimit,
-    /// The derivative is not finite; the force that made it, by its place in the model, if one did.
+    /// The derivative is not finite; the force that made it so, by its place in the model, if one did.
     NonFinite {
-        /// Place of the force.
+        /// See [`FreeBody::culprit`].
         force: Option<usize>,
     },
     /// The caller asked to stop.
@@ -103,9 +103,4 @@ pub fn simulate(body: &FreeBody<f64>, task: &Task<'_>, progress: &mut dyn FnMut(
         MethodName::Dp54 => run::run::<T, Dp54>(body, task, progress),
         MethodName::Dop853 => run::run::<T, Dop853>(body, task, progress),
     })
-}
-
-/// The model with its orientation as a quaternion.
-fn in_quaternions(body: &FreeBody<f64>) -> FreeBody<f64> {
-    FreeBody { chart: Chart::Quaternion, ..body.clone() }
 }

@@ -1,6 +1,7 @@
 //! A body and its inputs as a system that the integrators know.
 
 use super::Inputs;
+use crate::buffer::Buffer;
 use crate::integrators::{Block, System};
 use crate::phase_space::{Dynamics, FreeBody};
 use crate::scalar::Lane;
@@ -32,15 +33,8 @@ impl<T: Lane> System<T> for Motion<'_, T> {
         T::call(
             #[inline(always)]
             || {
-                let n = self.inputs.size();
-                let mut stack = [T::zero(); ON_STACK];
-                let mut heap = Vec::new();
-                let u = if n <= ON_STACK {
-                    &mut stack[..n]
-                } else {
-                    heap.resize(n, T::zero());
-                    &mut heap[..]
-                };
+                let mut u = Buffer::<T, ON_STACK>::new(self.inputs.size());
+                let u = u.slice();
                 self.inputs.write(t, u);
                 self.body.derivative(t, y, u, dy);
             },

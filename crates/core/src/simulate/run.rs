@@ -1,9 +1,9 @@
 //! The loop that drives one trajectory.
 
 use super::motion::Motion;
-use super::{ChartChange, Ending, Run, Task, in_quaternions};
+use super::{ChartChange, Ending, Run, Task};
 use crate::integrators::{Lanes, Method, Stepper, Verdict};
-use crate::phase_space::{Dynamics, FreeBody};
+use crate::phase_space::FreeBody;
 use crate::scalar::Lane;
 
 /// A run in angles goes on in quaternions when it comes this near to the singularity of its angles, rad:
@@ -24,7 +24,7 @@ pub fn run<T: Lane, M: Method>(
     task: &Task<'_>,
     progress: &mut dyn FnMut(f64) -> bool,
 ) -> Run {
-    let free = in_quaternions(body);
+    let free = body.in_quaternions();
     let mut driver = Driver::<T, M> {
         task,
         models: [body, &free],
@@ -217,9 +217,7 @@ impl<T: Lane, M: Method> Driver<'_, T, M> {
         if which == 0 {
             return self.last.iter().map(|v| T::lit(*v)).collect();
         }
-        let n = <FreeBody<f64> as Dynamics<f64>>::state_size(model);
-        let mut y = vec![0.0; n];
-        model.write_state(&self.models[0].rigid_state(&self.last), &vec![0.0; n], &mut y);
+        let y = change(self.models[0], &self.last, model, &vec![0.0; model.rigid_size()]);
         y.iter().map(|v| T::lit(*v)).collect()
     }
 
@@ -228,9 +226,7 @@ impl<T: Lane, M: Method> Driver<'_, T, M> {
         if self.current == 0 {
             return y.to_vec();
         }
-        let mut x = self.last.clone();
-        self.models[0].write_state(&self.models[1].rigid_state(y), &self.last, &mut x);
-        x
+        change(self.models[1], y, self.models[0], &self.last)
     }
 
     fn change_chart(&mut self, left: bool) {
@@ -251,16 +247,10 @@ impl<T: Lane, M: Method> Driver<'_, T, M> {
         self.run.chart_changes.push(ChartChange { time, left, distance });
     }
 
-    /// The force whose wrench is not finite at the last state, if there is one.
+    /// The law that is not finite at the last state, if there is one.
     fn culprit(&self) -> Option<usize> {
-        let state = self.models[0].rigid_state(&self.last);
         let t = self.time();
-        let wrenches = self.models[0].wrenches(t, &state, &self.task.inputs.at(t));
-        wrenches.iter().position(|w| {
-            let mut six = [0.0; 6];
-            w.store(&mut six);
-            six.iter().any(|v| !v.is_finite())
-        })
+        self.models[0].culprit(t, &self.last, &self.task.inputs.at(t))
     }
 
     fn finish(mut self) -> Run {
@@ -269,4 +259,12 @@ impl<T: Lane, M: Method> Driver<'_, T, M> {
         self.run.end_state = self.last;
         self.run
     }
+}
+
+/// A state of one model as that of the same model in another chart, nearest to `like`.
+fn change(from: &FreeBody<f64>, x: &[f64], to: &FreeBody<f64>, like: &[f64]) -> Vec<f64> {
+    let mut y = vec![0.0; to.rigid_size()];
+    to.write_state(&from.rigid_state(x), like, &mut y);
+    y.extend_from_slice(&x[from.rigid_size()..]);
+    y
 }

@@ -39,7 +39,10 @@ impl<T: Lane, M: Method> Driver<'_, T, M> {
             return interpolated(t);
         }
         let way = [self.last_time, t];
+        let y = interpolated(t);
         follow(self.models[0], &mut self.last, way, |t| model.rigid_state(&interpolated(t)));
+        let asked = self.models[0].rigid_size();
+        self.last[asked..].copy_from_slice(&y[model.rigid_size()..]);
         self.last_time = t;
         self.last.clone()
     }

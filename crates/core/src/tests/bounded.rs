@@ -1,6 +1,6 @@
 //! How far apart two evaluations of one formula can lie that differ in nothing but their roundings.
 
-use crate::scalar::{Real, Table};
+use crate::scalar::{Block, Elementary, Grid, Real, Table};
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
 /// A number, and a bound on the difference of two evaluations of it.
@@ -95,6 +95,21 @@ impl Real for Bounded {
     }
     fn lookup(self, table: &Table) -> Self {
         Self::of(table.value(self.value), table.slope().value(self.value).abs() * self.bound)
+    }
+    fn lookup_2(self, _: Self, _: &Grid) -> Self {
+        unreachable!("no form looks into a grid")
+    }
+    fn elementary(self, _: Elementary) -> Self {
+        unreachable!("no form has such a function")
+    }
+    fn atan2(self, _: Self) -> Self {
+        unreachable!("no form has such a function")
+    }
+    fn pow(self, _: Self) -> Self {
+        unreachable!("no form has such a function")
+    }
+    fn outside(_: &dyn Block, _: &[Self], _: &mut [Self]) -> bool {
+        false
     }
     fn call<R>(f: impl FnOnce() -> R) -> R {
         f()

@@ -1,7 +1,7 @@
 //! Exact Jacobians against each other, against differences, and against the derivative alone.
 
 use super::bounded::Bounded;
-use super::{Case, Random, case, inertia, kinds, same, screw, sequences, vector};
+use super::{Case, MAKES, Random, case, inertia, kinds, same, screw, sequences, vector};
 use crate::charts::AngleChart;
 use crate::evaluate::Evaluator;
 use crate::generalized::{Generalized, acceleration_by_blocks};
@@ -47,8 +47,8 @@ fn one_by_one<S: Real>(case: &Case, number: fn(S) -> f64, out: &mut Columns) {
 #[test]
 fn lanes_of_directions_give_each_direction_alone_bit_for_bit() {
     let mut random = Random(30);
-    for kind in kinds() {
-        let case = case(&mut random, kind);
+    for (kind, make) in kinds().into_iter().flat_map(|kind| MAKES.map(|make| (kind, make))) {
+        let case = make(&mut random, kind);
         for isa in Isa::available() {
             let together = jacobian(isa, &case);
             let mut alone = together.clone();
@@ -102,8 +102,8 @@ fn difference(f: impl Fn(f64) -> Vec<f64>) -> Vec<f64> {
 #[test]
 fn jacobians_are_the_limits_of_differences() {
     let mut random = Random(32);
-    for kind in kinds() {
-        let case = case(&mut random, kind);
+    for (kind, make) in kinds().into_iter().flat_map(|kind| MAKES.map(|make| (kind, make))) {
+        let case = make(&mut random, kind);
         let ready = Evaluator::on(Isa::Baseline, &case.model);
         let n = case.x.len();
         let mut size = 0.0;

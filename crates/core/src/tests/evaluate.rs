@@ -1,6 +1,6 @@
 //! A body made ready for the machine is the body.
 
-use super::{Random, case, inertia, kinds, same, vector};
+use super::{MAKES, Random, case, inertia, kinds, same, vector};
 use crate::evaluate::Evaluator;
 use crate::forces::{Axes, Force, InputWrench};
 use crate::phase_space::{Chart, Dynamics, Form, FreeBody};
@@ -9,8 +9,8 @@ use crate::scalar::isa::Isa;
 #[test]
 fn on_the_baseline_it_is_the_plain_derivative() {
     let mut random = Random(70);
-    for kind in kinds() {
-        let case = case(&mut random, kind);
+    for (kind, make) in kinds().into_iter().flat_map(|kind| MAKES.map(|make| (kind, make))) {
+        let case = make(&mut random, kind);
         let (mut plain, mut ready) = (vec![0.0; case.x.len()], vec![0.0; case.x.len()]);
         case.model.derivative(case.t, &case.x, &case.u, &mut plain);
         Evaluator::on(Isa::Baseline, &case.model).derivative(case.t, &case.x, &case.u, &mut ready);
@@ -40,9 +40,15 @@ fn with_inputs(count: usize) -> FreeBody<f64> {
     let mut random = Random(73);
     let inertia = inertia(&mut random);
     let at = vector(&mut random);
-    let input = |k: usize| Force::InputWrench(InputWrench { first: 6 * k, at, axes: Axes::World });
+    let input = |k: usize| {
+        Force::InputWrench(InputWrench {
+            places: InputWrench::<f64>::from_place(6 * k),
+            at,
+            axes: Axes::World,
+        })
+    };
     let forces = (0..count).map(input).collect();
-    FreeBody { inertia, forces, chart: Chart::Quaternion, form: Form::QuasiVelocity }
+    FreeBody::new(inertia, forces, Chart::Quaternion, Form::QuasiVelocity)
 }
 
 /// However many inputs there are, and wherever they are kept on the way.

@@ -1,7 +1,7 @@
 //! The derivative in lanes is the derivative of each lane alone.
 
 use super::bounded::Bounded;
-use super::{Case, Random, case, kinds, same};
+use super::{Case, MAKES, Random, case, kinds, same};
 use crate::phase_space::{Dynamics, FreeBody};
 use crate::scalar::isa::{Isa, with_lanes, with_scalar};
 use crate::scalar::{Lane, Real};
@@ -31,7 +31,7 @@ fn gather<L: Lane>(cases: &[Case]) -> FreeBody<L> {
 }
 
 /// The derivatives of all cases, [`Lane::N`] at once, each lane with a body, a time, a state and inputs of its own.
-fn derivatives<L: Lane>(cases: &[Case]) -> Vec<Vec<f64>> {
+pub fn derivatives<L: Lane>(cases: &[Case]) -> Vec<Vec<f64>> {
     let mut out: Vec<_> = cases.iter().map(|c| vec![0.0; c.x.len()]).collect();
     for (cases, out) in cases.chunks(L::N).zip(out.chunks_mut(L::N)) {
         L::call(
@@ -62,8 +62,8 @@ fn derivatives<L: Lane>(cases: &[Case]) -> Vec<Vec<f64>> {
 #[test]
 fn a_lane_is_the_number_alone_bit_for_bit() {
     let mut random = Random(20);
-    for kind in kinds() {
-        let cases: Vec<Case> = (0..CASES).map(|_| case(&mut random, kind)).collect();
+    for (kind, make) in kinds().into_iter().flat_map(|kind| MAKES.map(|make| (kind, make))) {
+        let cases: Vec<Case> = (0..CASES).map(|_| make(&mut random, kind)).collect();
         for isa in Isa::available() {
             let alone = with_scalar!(isa, S => derivatives::<S>(&cases));
             let lanes = with_lanes!(isa, L => derivatives::<L>(&cases));

@@ -5,7 +5,10 @@ mod duals;
 mod evaluate;
 mod forms;
 mod lanes;
+mod laws;
 mod matrices;
+mod programs;
+mod runs_with_laws;
 mod sequences;
 mod simulate;
 mod validity;
@@ -13,7 +16,7 @@ mod validity;
 use crate::algebra::{Mat3, Mat6, Sym3, Vec3, normalized, rotation_from_quaternion};
 use crate::charts::Sequence;
 use crate::forces::{
-    Axes, Coefficients, ConstantWrench, Force, InputWrench, LinearDamping, PointMassGravity,
+    Axes, Coefficients, ConstantWrench, Force, InputWrench, LinearDamping, Places, PointMassGravity,
     QuadraticDamping, TabulatedWrench, UniformGravity,
 };
 use crate::inertia::Inertia;
@@ -77,7 +80,11 @@ fn every_force(random: &mut Random) -> Vec<Force<f64>> {
     for (k, axes) in [Axes::Body, Axes::World].into_iter().enumerate() {
         let at = vector(random);
         forces.push(Force::ConstantWrench(ConstantWrench { wrench: screw(random), at, axes }));
-        forces.push(Force::InputWrench(InputWrench { first: 6 * k, at, axes }));
+        forces.push(Force::InputWrench(InputWrench {
+            places: InputWrench::<f64>::from_place(6 * k),
+            at,
+            axes,
+        }));
         let ramp = Table::new(&[0.0, 3.0], &[1.0, -2.0], Interpolation::Linear).unwrap();
         let steps = Table::new(&[0.0, 1.0, 2.0], &[1.0, 0.5, -0.5], Interpolation::Hold).unwrap();
         let components = [Some(ramp.clone()), None, Some(steps), None, Some(ramp), None];
@@ -101,7 +108,7 @@ struct Case {
 
 /// A random body under all forces, away from the singularities of its chart.
 fn case(random: &mut Random, (chart, form): (Chart, Form)) -> Case {
-    let model = FreeBody { inertia: inertia(random), forces: every_force(random), chart, form };
+    let model = FreeBody::new(inertia(random), every_force(random), chart, form);
     let n = Dynamics::<f64>::state_size(&model);
     let mut x = vec![0.0; n];
     loop {
@@ -116,3 +123,20 @@ fn case(random: &mut Random, (chart, form): (Chart, Form)) -> Case {
     let u = (0..Dynamics::<f64>::input_size(&model)).map(|_| random.between(-2.0, 2.0)).collect();
     Case { model, t: random.between(0.0, 3.0), x, u }
 }
+
+/// The same with a traced force and a control law behind it, each with a state of its own.
+fn case_with_laws(random: &mut Random, kind: (Chart, Form)) -> Case {
+    let mut case = case(random, kind);
+    let own = |inputs: &[usize], k: usize| Places { inputs: inputs.to_vec(), states: k..k + 1 };
+    // The fin shares an input with a wrench, and reads the one that the pilot commands.
+    let numbers = [0; 3].map(|_| random.between(0.5, 2.0));
+    case.model.forces.push(Force::Traced(programs::traced(&numbers, own(&[3, 12], 0), programs::fin)));
+    case.model.control = Some(programs::traced(&numbers[..2], own(&[1], 1), programs::pilot));
+    case.x.extend([0; 2].map(|_| random.between(-1.0, 1.0)));
+    case
+}
+
+type Make = fn(&mut Random, (Chart, Form)) -> Case;
+
+/// Cases of built-in forces alone, and with laws of users.
+const MAKES: [Make; 2] = [case, case_with_laws];

@@ -1,6 +1,6 @@
 //! What one trajectory promises.
 
-use super::{Random, case, kinds, rotation};
+use super::{MAKES, Random, kinds, rotation};
 use crate::algebra::{Sym3, Vec3, quaternion_from_rotation};
 use crate::charts::Sequence;
 use crate::forces::{Axes, Force, InputWrench, PointMassGravity, TabulatedWrench, UniformGravity};
@@ -11,13 +11,13 @@ use crate::scalar::{Interpolation, Table};
 use crate::screw::Screw;
 use crate::simulate::{Ending, Inputs, MethodName, Run, Task, simulate};
 
-const METHODS: [MethodName; 3] = [MethodName::Rk4, MethodName::Dp54, MethodName::Dop853];
+pub const METHODS: [MethodName; 3] = [MethodName::Rk4, MethodName::Dp54, MethodName::Dop853];
 
 fn none() -> Inputs {
     Inputs::Constant(Vec::new())
 }
 
-fn task<'a>(x0: &'a [f64], inputs: &'a Inputs, method: MethodName) -> Task<'a> {
+pub fn task<'a>(x0: &'a [f64], inputs: &'a Inputs, method: MethodName) -> Task<'a> {
     Task {
         x0,
         span: [0.0, 2.0],
@@ -30,7 +30,7 @@ fn task<'a>(x0: &'a [f64], inputs: &'a Inputs, method: MethodName) -> Task<'a> {
     }
 }
 
-fn run(body: &FreeBody<f64>, task: &Task<'_>) -> Run {
+pub fn run(body: &FreeBody<f64>, task: &Task<'_>) -> Run {
     simulate(body, task, &mut |_| true)
 }
 
@@ -39,19 +39,19 @@ fn bits(x: &[f64]) -> Vec<u64> {
 }
 
 /// A ball of unit mass and unit moments that starts at rest.
-fn ball(forces: Vec<Force<f64>>) -> (FreeBody<f64>, Vec<f64>) {
+pub fn ball(forces: Vec<Force<f64>>) -> (FreeBody<f64>, Vec<f64>) {
     let tensor = Sym3::from_array([1.0, 0.0, 0.0, 1.0, 0.0, 1.0]);
     let inertia = Inertia::new(1.0, Vec3::zero(), tensor);
     let mut x = vec![0.0; 13];
     x[3] = 1.0;
-    (FreeBody { inertia, forces, chart: Chart::Quaternion, form: Form::QuasiVelocity }, x)
+    (FreeBody::new(inertia, forces, Chart::Quaternion, Form::QuasiVelocity), x)
 }
 
 #[test]
 fn a_run_repeats_bit_for_bit_and_samples_do_not_change_it() {
     let mut random = Random(90);
-    for kind in kinds() {
-        let mut case = case(&mut random, kind);
+    for (kind, make) in kinds().into_iter().flat_map(|kind| MAKES.map(|make| (kind, make))) {
+        let mut case = make(&mut random, kind);
         // With random signs, damping drives motions beyond all bounds.
         case.model.forces.retain(|f| !matches!(f, Force::LinearDamping(_) | Force::QuadraticDamping(_)));
         let inputs = Inputs::Constant(case.u);
@@ -91,7 +91,7 @@ fn steps_end_on_every_jump() {
         components[0] = Some(table.clone());
         let (at, axes) = (Vec3::zero(), Axes::Body);
         let element = Force::TabulatedWrench(TabulatedWrench { components, at, axes });
-        let input = Force::InputWrench(InputWrench { first: 0, at, axes });
+        let input = Force::InputWrench(InputWrench { places: InputWrench::<f64>::from_place(0), at, axes });
         let silent = Table::new(&[0.0], &[0.0], Interpolation::Hold).unwrap();
         let mut tables = vec![silent; 6];
         tables[0] = table.clone();

@@ -1,7 +1,12 @@
 //! Laws of the scalars.
 
+mod block;
 mod dual;
+mod elementary;
+mod elementary_slopes;
+mod grid;
 mod lanes;
+mod spline;
 mod table;
 mod trigonometry;
 

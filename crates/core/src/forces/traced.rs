@@ -1,0 +1,226 @@
+//! Laws that users write: as programs that run over every scalar, or as functions compiled elsewhere.
+
+use super::Situation;
+use super::wrench::about_com;
+use crate::algebra::Vec3;
+use crate::expression::{Expression, Graph, Id, Program, Simplify, Values};
+use crate::scalar::{Block, Real};
+use crate::screw::Screw;
+use std::ops::Range;
+use std::sync::Arc;
+
+/// What a law reads besides the motion, by the places in all inputs and in all auxiliary states.
+#[derive(Clone, Debug, Default)]
+pub struct Places {
+    /// Its inputs.
+    pub inputs: Vec<usize>,
+    /// Its own states.
+    pub states: Range<usize>,
+}
+
+impl Places {
+    /// How many numbers tell of time, motion and body: time 1, position 3, rotation 9 by rows, twist 6, mass 1,
+    /// mass centre 3.
+    pub const MOTION: usize = 23;
+
+    /// How many inputs and states a law can have.
+    pub const ROOM: usize = Values::<f64>::ROOM - Self::MOTION;
+
+    /// How many numbers a law with these places is given.
+    pub fn given_count(&self) -> usize {
+        Self::MOTION + self.inputs.len() + self.states.len()
+    }
+
+    /// The place behind the last of its inputs.
+    pub fn inputs_end(&self) -> usize {
+        self.inputs.iter().map(|place| place + 1).max().unwrap_or(0)
+    }
+
+    /// Time, motion and body.
+    #[inline(always)]
+    fn motion<T: Real>(s: &Situation<'_, T>) -> [T; Self::MOTION] {
+        let (o, c, m) = (s.position, s.rotation.rows, s.inertia.com);
+        let (v, w) = (s.twist.linear, s.twist.angular);
+        [
+            s.time,
+            o.x,
+            o.y,
+            o.z,
+            c[0].x,
+            c[0].y,
+            c[0].z,
+            c[1].x,
+            c[1].y,
+            c[1].z,
+            c[2].x,
+            c[2].y,
+            c[2].z,
+            v.x,
+            v.y,
+            v.z,
+            w.x,
+            w.y,
+            w.z,
+            s.inertia.mass,
+            m.x,
+            m.y,
+            m.z,
+        ]
+    }
+
+    /// Writes what the law is given: time, motion and body, its inputs, its states.
+    #[inline(always)]
+    fn write<T: Real>(&self, s: &Situation<'_, T>, values: &mut Values<T>) {
+        values.start(Self::motion(s));
+        for place in &self.inputs {
+            values.push(s.inputs[*place]);
+        }
+        for x in &s.states[self.states.clone()] {
+            values.push(*x);
+        }
+    }
+}
+
+/// A law traced from a user's function, with its parameters.
+///
+/// As a force its outputs are the wrench about the body origin in body axes, as a control law the commands;
+/// then come the rates of its own states.
+#[derive(Clone, Debug)]
+pub struct Traced<T> {
+    program: Arc<Program>,
+    parameters: Vec<T>,
+    prepared: Vec<T>,
+    /// Where the law finds its inputs and states.
+    pub places: Places,
+}
+
+impl<T: Real> Traced<T> {
+    /// A program with its parameters, which takes what `places` give.
+    #[inline(always)]
+    pub fn new(program: Arc<Program>, parameters: Vec<T>, places: Places) -> Self {
+        debug_assert_eq!(program.parameter_count(), parameters.len());
+        debug_assert_eq!(program.given_count(), places.given_count());
+        let prepared = program.prepare(&parameters);
+        Self { program, parameters, prepared, places }
+    }
+
+    /// How many numbers come before the rates of the states: six of a force, the commands of a control law.
+    pub fn result_count(&self) -> usize {
+        self.program.output_count() - self.places.states.len()
+    }
+
+    /// Everything that the law computes; the rates of its states are written to their places among all of them.
+    ///
+    /// Only the values cross into code of its own: a copy of what the law sees would cost as much as some laws.
+    #[inline(always)]
+    fn run(&self, s: &Situation<'_, T>, values: &mut Values<T>, rates: &mut [T]) {
+        self.places.write(s, values);
+        T::call(
+            #[inline(always)]
+            || self.program.run_on(values, &self.prepared),
+        );
+        let first = self.result_count();
+        for (k, rate) in rates[self.places.states.clone()].iter_mut().enumerate() {
+            *rate = self.program.result(values, first + k);
+        }
+    }
+
+    /// Writes the commands of a control law, and the rates of its states.
+    #[inline(always)]
+    pub fn command(&self, s: &Situation<'_, T>, commands: &mut [T], rates: &mut [T]) {
+        let mut values = Values::empty();
+        self.run(s, &mut values, rates);
+        for (k, command) in commands.iter_mut().enumerate() {
+            *command = self.program.result(&values, k);
+        }
+    }
+
+    /// The wrench about the mass centre; the rates of its states are written.
+    #[inline(always)]
+    pub fn about_com(&self, s: &Situation<'_, T>, rates: &mut [T]) -> Screw<T> {
+        let mut values = Values::empty();
+        self.run(s, &mut values, rates);
+        let p = &self.program;
+        let force = Vec3::new(p.result(&values, 0), p.result(&values, 1), p.result(&values, 2));
+        let moment = Vec3::new(p.result(&values, 3), p.result(&values, 4), p.result(&values, 5));
+        about_com(Screw::new(force, moment), s)
+    }
+
+    /// Several force laws as one, which gives the sum of their wrenches; none if it were too long for one program.
+    ///
+    /// What a program is given then is written once for all of them, and what they share is computed once.
+    pub fn joined(laws: &[&Traced<f64>]) -> Option<Traced<f64>> {
+        let mut inputs: Vec<usize> = laws.iter().flat_map(|law| law.places.inputs.iter().copied()).collect();
+        inputs.sort_unstable();
+        inputs.dedup();
+        let first = laws.iter().map(|law| law.places.states.start).min()?;
+        let end = laws.iter().map(|law| law.places.states.end).max()?;
+        let places = Places { inputs, states: first..end };
+        if places.given_count() > Values::<f64>::ROOM {
+            return None;
+        }
+        let parameters: Vec<f64> = laws.iter().flat_map(|law| law.parameters.iter().copied()).collect();
+
+        let mut graph = Graph::new(Simplify::Safely);
+        let mut symbols = |kind: &str, n: usize| -> Vec<Id> {
+            (0..n).map(|i| graph.symbol(&format!("{kind}{i}"), "")).collect()
+        };
+        let (given, values) =
+            (symbols("given", places.given_count()), symbols("parameter", parameters.len()));
+        let outputs = graph.enter(|| {
+            let mut wrench = [Expression::zero(); 6];
+            let mut rates = vec![Expression::zero(); places.states.len()];
+            let mut own = values.iter();
+            for law in laws {
+                let own: Vec<_> = own.by_ref().take(law.parameters.len()).map(|id| Expression(*id)).collect();
+                let place = |input: &usize| places.inputs.binary_search(input).unwrap_or_default();
+                let inputs = law.places.inputs.iter().map(|i| Places::MOTION + place(i));
+                let behind = Places::MOTION + places.inputs.len();
+                let states = law.places.states.clone().map(|state| behind + state - first);
+                let seen = (0..Places::MOTION).chain(inputs).chain(states).map(|i| Expression(given[i]));
+                let mut out = vec![Expression::zero(); law.program.output_count()];
+                law.program.run(&law.program.prepare(&own), &seen.collect::<Vec<_>>(), &mut out);
+                for (sum, x) in wrench.iter_mut().zip(&out) {
+                    *sum = *sum + *x;
+                }
+                let rates = rates[law.places.states.start - first..].iter_mut();
+                rates.zip(&out[6..]).for_each(|(rate, x)| *rate = *x);
+            }
+            wrench.iter().chain(&rates).map(|x| x.0).collect::<Vec<Id>>()
+        });
+        let program = Program::new(&graph, &values, &given, &outputs).ok()?;
+        Some(Traced::new(Arc::new(program), parameters, places))
+    }
+
+    /// The parameters passed through `f`.
+    #[inline(always)]
+    pub fn map<U: Real>(&self, f: &mut impl FnMut(T) -> U) -> Traced<U> {
+        let mut parameters = Vec::with_capacity(self.parameters.len());
+        for p in &self.parameters {
+            parameters.push(f(*p));
+        }
+        Traced::new(self.program.clone(), parameters, self.places.clone())
+    }
+}
+
+/// A force that a function computes which knows numbers alone, and so has no derivatives.
+#[derive(Clone, Debug)]
+pub struct Callback {
+    /// From what a law is given to the wrench about the body origin in body axes.
+    pub block: Arc<dyn Block>,
+    /// Where it finds its inputs; it has no states.
+    pub places: Places,
+}
+
+impl Callback {
+    /// The wrench about the mass centre; not a number over scalars that are more than numbers.
+    #[inline(always)]
+    pub fn about_com<T: Real>(&self, s: &Situation<'_, T>) -> Screw<T> {
+        let mut given = Vec::with_capacity(self.places.given_count());
+        given.extend(Places::motion(s));
+        given.extend(self.places.inputs.iter().map(|place| s.inputs[*place]));
+        let mut wrench = [T::lit(f64::NAN); 6];
+        T::outside(&*self.block, &given, &mut wrench);
+        about_com(Screw::from_slice(&wrench), s)
+    }
+}

@@ -1,0 +1,101 @@
+//! The control law among the forces, and derivatives that were compiled elsewhere.
+
+use super::{FreeBody, RigidState};
+use crate::buffer::Buffer;
+use crate::forces::{Situation, Traced};
+use crate::scalar::{Block, Real};
+use crate::screw::Screw;
+
+/// Up to this many numbers are passed on the stack.
+const ON_STACK: usize = 48;
+
+/// Writes u and behind it what a law commands; the rates of the law's states are written.
+#[inline(always)]
+pub fn command<T: Real>(law: &Traced<T>, s: &Situation<'_, T>, all: &mut [T], rates: &mut [T]) {
+    let (given, commands) = all.split_at_mut(s.inputs.len());
+    for (to, u) in given.iter_mut().zip(s.inputs) {
+        *to = *u;
+    }
+    law.command(s, commands, rates);
+}
+
+/// Writes dx by a compiled f; false if this scalar is no plain number.
+#[inline(always)]
+pub fn elsewhere<T: Real>(block: &dyn Block, t: T, x: &[T], u: &[T], dx: &mut [T]) -> bool {
+    T::call(
+        #[inline(always)]
+        || {
+            let mut given = Buffer::<T, ON_STACK>::new(1 + x.len() + u.len());
+            let given = given.slice();
+            given[0] = t;
+            for (to, v) in given[1..].iter_mut().zip(x.iter().chain(u)) {
+                *to = *v;
+            }
+            T::outside(block, given, dx)
+        },
+    )
+}
+
+impl FreeBody<f64> {
+    /// What the forces see in a motion.
+    pub(super) fn situation<'a>(
+        &'a self,
+        t: f64,
+        s: &RigidState,
+        states: &'a [f64],
+        inputs: &'a [f64],
+    ) -> Situation<'a, f64> {
+        let (position, rotation, twist) = (s.position, s.rotation(), s.twist);
+        Situation { time: t, position, rotation, twist, inertia: &self.inertia, inputs, states }
+    }
+
+    /// What the control law commands in a state.
+    pub fn commands(&self, t: f64, x: &[f64], u: &[f64]) -> Vec<f64> {
+        let (_, states) = x.split_at(self.rigid_size());
+        self.all_inputs(&self.situation(t, &self.rigid_state(x), states, u), &mut vec![0.0; states.len()])
+            .split_off(u.len())
+    }
+
+    /// u and behind it the commands.
+    fn all_inputs(&self, s: &Situation<'_, f64>, rates: &mut [f64]) -> Vec<f64> {
+        let mut all = s.inputs.to_vec();
+        if let Some(law) = &self.control {
+            all.resize(all.len() + law.result_count(), 0.0);
+            command(law, s, &mut all, rates);
+        }
+        all
+    }
+
+    /// The wrench of each force, in body axes about the body origin.
+    pub fn wrenches(&self, t: f64, x: &[f64], u: &[f64]) -> Vec<Screw<f64>> {
+        self.wrenches_and_rates(t, x, u).0
+    }
+
+    /// The wrenches, the rates of the auxiliary states, and the commands.
+    fn wrenches_and_rates(&self, t: f64, x: &[f64], u: &[f64]) -> (Vec<Screw<f64>>, Vec<f64>, Vec<f64>) {
+        let (_, states) = x.split_at(self.rigid_size());
+        let motion = self.rigid_state(x);
+        let mut rates = vec![0.0; states.len()];
+        let mut all = self.all_inputs(&self.situation(t, &motion, states, u), &mut rates);
+        let s = self.situation(t, &motion, states, &all);
+        let wrenches = self.forces.iter().map(|f| f.about_origin(&s, &mut rates)).collect();
+        (wrenches, rates, all.split_off(u.len()))
+    }
+
+    /// The place of the force that is not finite in a state, in its wrench or in the rates of its states; one
+    /// place behind them all stands the control law.
+    pub fn culprit(&self, t: f64, x: &[f64], u: &[f64]) -> Option<usize> {
+        let (wrenches, rates, commands) = self.wrenches_and_rates(t, x, u);
+        let lost = |numbers: &[f64]| numbers.iter().any(|v| !v.is_finite());
+        if let Some(law) = &self.control
+            && (lost(&commands) || lost(&rates[law.places.states.clone()]))
+        {
+            return Some(self.forces.len());
+        }
+        self.forces.iter().zip(wrenches).position(|(force, wrench)| {
+            let mut six = [0.0; 6];
+            wrench.store(&mut six);
+            lost(&six) || lost(&rates[force.states()])
+        })
+    }
+}
