@@ -1,6 +1,7 @@
 """Programs as data that travels."""
 
 import pickle
+from typing import Any
 
 import numpy as np
 import pytest
@@ -24,7 +25,8 @@ def test_bytes_that_are_no_program_are_refused() -> None:
 
 def test_damaged_bytes_are_refused() -> None:
     program = wing._program
-    _, (data,) = program.__reduce__()
+    reduced: Any = program.__reduce__()
+    data: bytes = reduced[1][0]
     given = np.ones((1, program.given_count))
     for place in range(len(data)):
         damaged = bytearray(data)
