@@ -126,7 +126,7 @@ def test_forces_act_as_in_the_kernel(form: str, chart: str, which: str) -> None:
 
 
 @pytest.mark.parametrize("language", languages.PYTHONIC)
-@pytest.mark.parametrize("which", FORCES)
+@pytest.mark.parametrize("which", ALL)
 def test_printed_forces_act_as_in_the_kernel(which: str, language: str) -> None:
     for form, chart in IN_CODE:
         check(form, chart, which, languages.PYTHONIC[language])
@@ -135,7 +135,7 @@ def test_printed_forces_act_as_in_the_kernel(which: str, language: str) -> None:
 def test_forces_in_printed_c_act_as_in_the_kernel(tmp_path: Path) -> None:
     names = {
         f"f_{i}": (*case, which)
-        for i, (case, which) in enumerate((case, which) for case in IN_CODE for which in FORCES)
+        for i, (case, which) in enumerate((case, which) for case in IN_CODE for which in ALL)
     }
     library = languages.Library(tmp_path, {name: printed(*case) for name, case in names.items()})
     for name, case in names.items():
