@@ -15,6 +15,12 @@ BODY = fb.RigidBody(
 )
 LIFT = fb.Table(np.linspace(-1.0, 1.0, 9), np.sin(np.linspace(-2.0, 2.0, 9)), "cubic")
 
+DRAG = fb.Table(
+    (np.linspace(-2.0, 2.0, 5), np.linspace(-1.0, 1.0, 4)),
+    np.cos(np.add.outer(np.arange(5.0), 0.7 * np.arange(4.0))),
+    "cubic",
+)
+
 
 @fb.force(
     parameters={"area": (0.02, "m^2"), "density": (1.225, "kg/m^3"), "lag": (0.1, "s")},
@@ -39,6 +45,13 @@ def thrust(s: Any) -> Any:
 def wing(s: Any) -> Any:
     """With a table."""
     return fb.wrench(force=np.stack([0.0, 0.0, LIFT(s.velocity_body[2] / 5.0)]), at=s.com)
+
+
+@fb.force
+def hull(s: Any) -> Any:
+    """With a table of two variables."""
+    drag = DRAG(s.velocity_body[0], s.angular_velocity_body[2])
+    return fb.wrench(force=np.stack([-drag, 0.0, 0.0]), at=s.com)
 
 
 @fb.control(parameters={"gain": (0.5, "s")}, inputs={"course": "rad"}, states={"filtered": (0.0, "rad/s")})

@@ -13,7 +13,7 @@ import freebody as fb
 
 from . import languages
 from .kernel import AGREE, POINTS, Array, Values, derivatives, disagreement, random_arguments
-from .laws import BODY, fin, thrust, wing
+from .laws import BODY, fin, hull, thrust, wing
 
 COEFFICIENTS = np.diag([1.0, 2.0, 3.0, 0.1, 0.2, 0.3]) + 0.05
 FORCES: dict[str, list[fb.Force]] = {
@@ -46,6 +46,7 @@ TABLES: dict[str, list[fb.Force]] = {
         fb.TabulatedWrench([0.0, 2.0, 5.0], force=np.sin(np.arange(9.0)).reshape(3, 3), interpolation="hold")
     ],
     "law with a table": [fb.UniformGravity(), wing, fin],
+    "law with a table of two variables": [hull],
 }
 ALL = FORCES | TABLES
 CASES = [("1.8", "quaternion"), ("1.8", "zyx"), ("1.11", "quaternion"), ("1.11", "yzx")]
