@@ -9,7 +9,7 @@ use freebody_core::charts::Sequence;
 use freebody_core::expression::{self, Expression, Function, Group, Id, Language, Left, Line, Output};
 use freebody_core::forces::Situation;
 use freebody_core::inertia::Inertia;
-use freebody_core::phase_space::Dynamics;
+use freebody_core::phase_space::{Dynamics, FreeBody};
 use freebody_core::scalar::Real;
 use freebody_core::screw::Screw;
 use pyo3::prelude::*;
@@ -23,6 +23,13 @@ fn inertia((ids, about_origin): Body) -> Inertia<Expression> {
     let [mass, x, y, z, tensor @ ..] = ids.map(Expression);
     let (com, tensor) = (Vec3::new(x, y, z), Sym3::from_array(tensor));
     if about_origin { Inertia::of_origin(mass, com, tensor) } else { Inertia::new(mass, com, tensor) }
+}
+
+/// A model, each law for itself, over expressions, with its own body or another. Inside `enter`.
+fn written(model: &Model, body: Option<Body>) -> FreeBody<Expression> {
+    let each = FreeBody { law: None, ..model.free_body.clone() };
+    let lifted = each.map(&mut Expression::lit);
+    FreeBody { inertia: body.map_or(lifted.inertia, inertia), ..lifted }
 }
 
 fn expressions(ids: &[Id]) -> Vec<Expression> {
@@ -76,10 +83,7 @@ impl Graph {
             self.check(py, given)?;
         }
         Ok(self.0.enter(|| {
-            let mut lifted = model.free_body.map(&mut Expression::lit);
-            if let Some(body) = body {
-                lifted.inertia = inertia(body);
-            }
+            let lifted = written(model, body);
             let mut dx = vec![Expression::zero(); x.len()];
             lifted.derivative(Expression(t), &expressions(&x), &expressions(&u), &mut dx);
             ids(&dx)
@@ -103,10 +107,7 @@ impl Graph {
             self.check(py, given)?;
         }
         Ok(self.0.enter(|| {
-            let mut lifted = model.free_body.map(&mut Expression::lit);
-            if let Some(body) = body {
-                lifted.inertia = inertia(body);
-            }
+            let lifted = written(model, body);
             let (s, u, states) = (expressions(&situation), expressions(&u), expressions(&states));
             let mut rates = states.clone();
             let situation = Situation {

@@ -70,7 +70,8 @@ impl Model {
         };
         let form = if generalized { Form::Generalized } else { Form::QuasiVelocity };
         let compiled = compiled.map(|c| c.0);
-        let free_body = FreeBody { control, compiled, ..FreeBody::new(body.inertia, elements, chart, form) };
+        let unjoined = FreeBody { control, compiled, ..FreeBody::new(body.inertia, elements, chart, form) };
+        let free_body = unjoined.with_one_law();
         let evaluator = Evaluator::new(&free_body);
         let states = Dynamics::<f64>::state_size(&free_body);
         Self { free_body, evaluator, law_names, states, inputs: n_inputs, zeros: vec![0.0; n_inputs] }

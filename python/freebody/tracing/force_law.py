@@ -88,7 +88,7 @@ def force(
     """Make a force of a Python function of the situation `s`, and of its parameters `p`.
 
     The function runs on symbols, once and for all; what it computes with NumPy becomes a program that runs
-    compiled, over many motions at once, and is differentiated exactly. Both sides of every choice are
+    without Python, over many motions at once, and is differentiated exactly. Both sides of every choice are
     computed: `np.where`, not `if`.
 
         @fb.force(parameters={"area": (0.02, "m^2")}, inputs={"rudder": "rad"})

@@ -15,7 +15,12 @@ pub struct OperationCount {
 impl Graph {
     /// Everything that `outputs` are made of, operands before what works on them.
     pub fn order(&self, outputs: &[Id]) -> Vec<Id> {
-        let mut done = vec![false; self.nodes.len()];
+        self.order_beyond(&vec![false; self.nodes.len()], outputs)
+    }
+
+    /// The same without what is there already, and what only that is made of.
+    pub(super) fn order_beyond(&self, is_there: &[bool], outputs: &[Id]) -> Vec<Id> {
+        let mut done = is_there.to_vec();
         let mut order = Vec::new();
         let mut stack: Vec<(Id, bool)> = outputs.iter().rev().map(|id| (*id, false)).collect();
         while let Some((id, ready)) = stack.pop() {

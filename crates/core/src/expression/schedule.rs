@@ -31,7 +31,7 @@ fn steps(graph: &Graph, ready: &[Id], outputs: &[Id]) -> Vec<Step> {
     for id in ready {
         is_ready[*id as usize] = true;
     }
-    let order = order(graph, &is_ready, outputs);
+    let order = graph.order_beyond(&is_ready, outputs);
     let mut uses = vec![0usize; graph.nodes.len()];
     for id in &order {
         for o in graph.node(*id).operands() {
@@ -139,26 +139,6 @@ impl Fusion<'_> {
             self.swallowed[*id as usize] = true;
         }
     }
-}
-
-/// What `outputs` need beyond what is ready, operands first.
-fn order(graph: &Graph, is_ready: &[bool], outputs: &[Id]) -> Vec<Id> {
-    let mut done = is_ready.to_vec();
-    let mut order = Vec::new();
-    let mut stack: Vec<(Id, bool)> = outputs.iter().rev().map(|id| (*id, false)).collect();
-    while let Some((id, visited)) = stack.pop() {
-        if done[id as usize] {
-            continue;
-        }
-        if visited {
-            done[id as usize] = true;
-            order.push(id);
-        } else {
-            stack.push((id, true));
-            stack.extend(graph.node(id).operands().iter().rev().map(|o| (*o, false)));
-        }
-    }
-    order
 }
 
 /// The same steps in runs of one code: the code goes first that the longest way to a result waits for.

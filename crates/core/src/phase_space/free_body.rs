@@ -58,7 +58,7 @@ pub struct FreeBody<T> {
     pub chart: Chart,
     /// The kind of velocity.
     pub form: Form,
-    /// All traced forces as one: the lifted body has it instead of them.
+    /// All traced forces as one: where it is, it runs instead of them.
     pub law: Option<Traced<T>>,
     /// What commands the inputs behind those of u.
     pub control: Option<Traced<T>>,
@@ -78,11 +78,17 @@ impl<T: Real> FreeBody<T> {
         self.law.is_some() || self.control.is_some()
     }
 
+    /// Whether the one law stands for a force.
+    #[inline(always)]
+    fn is_joined(&self, force: &Force<T>) -> bool {
+        self.law.is_some() && matches!(force, Force::Traced(_))
+    }
+
     /// The sum of all wrenches, in body axes about the mass centre; the rates of the auxiliary states are written.
     #[inline(always)]
     fn wrench<const LAWS: bool>(&self, s: Situation<'_, T>, rates: &mut [T]) -> Screw<T> {
         if !LAWS {
-            return self.sum(&s, rates);
+            return self.sum::<LAWS>(&s, rates);
         }
         let commands = self.control.as_ref().map_or(0, Traced::result_count);
         let mut all = Buffer::<T, ON_STACK>::new(s.inputs.len() + commands);
@@ -93,18 +99,21 @@ impl<T: Real> FreeBody<T> {
             }
             None => s,
         };
-        let sum = self.sum(&s, rates);
+        let sum = self.sum::<LAWS>(&s, rates);
         match &self.law {
             Some(law) => sum + law.about_com(&s, rates),
             None => sum,
         }
     }
 
-    /// The sum over all forces but the one law.
+    /// The sum over all forces that the one law does not stand for.
     #[inline(always)]
-    fn sum(&self, s: &Situation<'_, T>, rates: &mut [T]) -> Screw<T> {
+    fn sum<const LAWS: bool>(&self, s: &Situation<'_, T>, rates: &mut [T]) -> Screw<T> {
         let mut sum = Screw::zero();
         for f in &self.forces {
+            if LAWS && self.is_joined(f) {
+                continue;
+            }
             sum = sum + f.about_com(s, rates);
         }
         sum
@@ -175,6 +184,9 @@ impl<T: Real> FreeBody<T> {
         let inertia = self.inertia.map(f);
         let mut forces = Vec::with_capacity(self.forces.len());
         for force in &self.forces {
+            if self.is_joined(force) {
+                continue;
+            }
             forces.push(force.map(f));
         }
         let law = self.law.as_ref().map(
@@ -192,14 +204,14 @@ impl<T: Real> FreeBody<T> {
 impl<T: Real> Dynamics<T> for FreeBody<T> {
     #[inline(always)]
     fn state_size(&self) -> usize {
-        let mut n = self.rigid_size();
+        let mut n = 0;
         for f in &self.forces {
-            n += f.states().len();
+            n = n.max(f.states().end);
         }
         for law in [&self.law, &self.control].into_iter().flatten() {
-            n += law.places.states.len();
+            n = n.max(law.places.states.end);
         }
-        n
+        self.rigid_size() + n
     }
 
     #[inline(always)]

@@ -1,7 +1,7 @@
 //! One number with fused products.
 
-use super::{Block, Elementary, Grid, Lane, Real, Table};
-use super::{arctangent, block, elementary, trigonometry};
+use super::lanes::functions;
+use super::{Grid, Lane, Real, Table};
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
 /// An `f64` whose [`Real::fma`] rounds once.
@@ -54,10 +54,6 @@ impl Real for Fused {
         Self(self.0.abs())
     }
     #[inline(always)]
-    fn sin_cos(self) -> (Self, Self) {
-        trigonometry::sin_cos(self)
-    }
-    #[inline(always)]
     fn select_le(a: Self, b: Self, x: Self, y: Self) -> Self {
         if a.0 <= b.0 { x } else { y }
     }
@@ -69,23 +65,7 @@ impl Real for Fused {
     fn lookup_2(self, y: Self, grid: &Grid) -> Self {
         Self(grid.value(self.0, y.0))
     }
-    #[inline(always)]
-    fn elementary(self, f: Elementary) -> Self {
-        elementary::of_one(f, self)
-    }
-    #[inline(always)]
-    fn atan2(self, x: Self) -> Self {
-        arctangent::atan2(self, x)
-    }
-    #[inline(always)]
-    fn pow(self, y: Self) -> Self {
-        elementary::pow(self, y)
-    }
-    #[inline(always)]
-    fn outside(block: &dyn Block, given: &[Self], out: &mut [Self]) -> bool {
-        block::call(block, given, out);
-        true
-    }
+    functions!();
     #[inline(always)]
     fn call<R>(f: impl FnOnce() -> R) -> R {
         #[cfg_attr(target_arch = "x86_64", target_feature(enable = "avx2,fma,bmi2"))]

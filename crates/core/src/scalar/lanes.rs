@@ -5,8 +5,7 @@
 //! that is not inlined there stays right but silently loses the instruction set, and with it a factor
 //! of 3 to 80 in speed; `make check` looks for such functions in the built library.
 
-use super::{Block, Elementary, Grid, Real, Table};
-use super::{arctangent, block, elementary, trigonometry};
+use super::{Grid, Real, Table};
 
 /// A [`Real`] that holds [`Lane::N`] independent numbers.
 pub trait Lane: Real {
@@ -23,6 +22,34 @@ pub trait Lane: Real {
     /// The value whose lanes are given by `f`.
     fn from_lanes(f: impl FnMut(usize) -> f64) -> Self;
 }
+
+/// What every lane type does in the same way: the functions of [`Real`] that are written over [`Lane`].
+macro_rules! functions {
+    () => {
+        #[inline(always)]
+        fn sin_cos(self) -> (Self, Self) {
+            $crate::scalar::trigonometry::sin_cos(self)
+        }
+        #[inline(always)]
+        fn elementary(self, f: $crate::scalar::Elementary) -> Self {
+            $crate::scalar::elementary::of_one(f, self)
+        }
+        #[inline(always)]
+        fn atan2(self, x: Self) -> Self {
+            $crate::scalar::arctangent::atan2(self, x)
+        }
+        #[inline(always)]
+        fn pow(self, y: Self) -> Self {
+            $crate::scalar::elementary::pow(self, y)
+        }
+        #[inline(always)]
+        fn outside(block: &dyn $crate::scalar::Block, given: &[Self], out: &mut [Self]) -> bool {
+            $crate::scalar::block::call(block, given, out);
+            true
+        }
+    };
+}
+pub(super) use functions;
 
 impl Lane for f64 {
     const N: usize = 1;
@@ -64,10 +91,6 @@ impl Real for f64 {
         f64::abs(self)
     }
     #[inline(always)]
-    fn sin_cos(self) -> (Self, Self) {
-        trigonometry::sin_cos(self)
-    }
-    #[inline(always)]
     fn select_le(a: Self, b: Self, x: Self, y: Self) -> Self {
         if a <= b { x } else { y }
     }
@@ -79,23 +102,7 @@ impl Real for f64 {
     fn lookup_2(self, y: Self, grid: &Grid) -> Self {
         grid.value(self, y)
     }
-    #[inline(always)]
-    fn elementary(self, f: Elementary) -> Self {
-        elementary::of_one(f, self)
-    }
-    #[inline(always)]
-    fn atan2(self, x: Self) -> Self {
-        arctangent::atan2(self, x)
-    }
-    #[inline(always)]
-    fn pow(self, y: Self) -> Self {
-        elementary::pow(self, y)
-    }
-    #[inline(always)]
-    fn outside(block: &dyn Block, given: &[Self], out: &mut [Self]) -> bool {
-        block::call(block, given, out);
-        true
-    }
+    functions!();
     #[inline(never)]
     fn call<R>(f: impl FnOnce() -> R) -> R {
         f()

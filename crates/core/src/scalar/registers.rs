@@ -108,10 +108,6 @@ macro_rules! register {
                 Self(unsafe { $abs })
             }
             #[inline(always)]
-            fn sin_cos(self) -> (Self, Self) {
-                trigonometry::sin_cos(self)
-            }
-            #[inline(always)]
             fn select_le(a: Self, b: Self, x: Self, y: Self) -> Self {
                 let ($ca, $cb, $cx, $cy) = (a.0, b.0, x.0, y.0);
                 Self(unsafe { $select })
@@ -132,23 +128,7 @@ macro_rules! register {
                 }
                 Self::from_array(x)
             }
-            #[inline(always)]
-            fn elementary(self, f: Elementary) -> Self {
-                elementary::of_one(f, self)
-            }
-            #[inline(always)]
-            fn atan2(self, x: Self) -> Self {
-                arctangent::atan2(self, x)
-            }
-            #[inline(always)]
-            fn pow(self, y: Self) -> Self {
-                elementary::pow(self, y)
-            }
-            #[inline(always)]
-            fn outside(block: &dyn Block, given: &[Self], out: &mut [Self]) -> bool {
-                block::call(block, given, out);
-                true
-            }
+            functions!();
             #[inline(always)]
             fn call<R>(f: impl FnOnce() -> R) -> R {
                 #[target_feature(enable = $feature)]
@@ -195,8 +175,8 @@ macro_rules! register {
 
 #[cfg(target_arch = "x86_64")]
 mod x86 {
-    use crate::scalar::{Block, Elementary, Grid, Lane, Real, Table};
-    use crate::scalar::{arctangent, block, elementary, trigonometry};
+    use crate::scalar::lanes::functions;
+    use crate::scalar::{Grid, Lane, Real, Table};
     use std::arch::x86_64::*;
 
     register! {
@@ -261,8 +241,8 @@ pub use x86::{Avx2, Avx512, Sse2};
 
 #[cfg(target_arch = "aarch64")]
 mod arm {
-    use crate::scalar::{Block, Elementary, Grid, Lane, Real, Table};
-    use crate::scalar::{arctangent, block, elementary, trigonometry};
+    use crate::scalar::lanes::functions;
+    use crate::scalar::{Grid, Lane, Real, Table};
     use std::arch::aarch64::*;
 
     register! {

@@ -66,6 +66,26 @@ fn a_traced_law_is_the_built_in_force() {
     }
 }
 
+#[test]
+fn laws_as_one_act_as_each_for_itself() {
+    let mut random = Random(105);
+    for kind in kinds() {
+        let mut case = case_with_laws(&mut random, kind);
+        let [_, law] = both(&mut random);
+        case.model.forces.extend(law);
+        let joined = case.model.clone().with_one_law();
+        assert!(joined.law.is_some() && joined.forces.len() == case.model.forces.len());
+        assert_eq!(Dynamics::<f64>::state_size(&joined), Dynamics::<f64>::state_size(&case.model));
+        assert_eq!(Dynamics::<f64>::input_size(&joined), Dynamics::<f64>::input_size(&case.model));
+        let apart = derivative(&case.model, &case);
+        // The sums are taken in another order.
+        assert!(gap(&apart, &derivative(&joined, &case)) < 1e-14, "{kind:?}");
+        let mut ready = apart.clone();
+        Evaluator::new(&joined).derivative(case.t, &case.x, &case.u, &mut ready);
+        assert!(gap(&apart, &ready) < 1e-13, "{kind:?}");
+    }
+}
+
 /// What a block is that computes a traced law one column after another.
 #[derive(Debug)]
 struct Columns(Traced<f64>, FreeBody<f64>);
