@@ -85,6 +85,13 @@ fn four_laws() -> Vec<Force<f64>> {
     ]
 }
 
+/// The same as the built-in forces: without the fin.
+fn three_laws() -> Vec<Force<f64>> {
+    let mut laws = four_laws();
+    laws.truncate(3);
+    laws
+}
+
 /// A law of what all laws are given and of parameters.
 fn law(wrench: Law<'_>, parameters: &[f64]) -> Force<f64> {
     let mut graph = Graph::new(Simplify::Safely);
@@ -219,9 +226,12 @@ fn main() {
     println!("{STATES} states, quaternion; ns, compiled, one thread, best of {SPELLS} spells");
     println!("                        derivative   chained  in lanes  in runs  jacobian");
     for isa in Isa::available() {
-        for (name, forces) in
-            [("free", Vec::new()), ("three forces", three_forces()), ("four laws", four_laws())]
-        {
+        for (name, forces) in [
+            ("free", Vec::new()),
+            ("three forces", three_forces()),
+            ("three laws", three_laws()),
+            ("four laws", four_laws()),
+        ] {
             let body = body(forces);
             let ready = Evaluator::on(isa, &body);
             let [a, b, d] = [alone(&ready), chained(&ready), jacobian(&ready)];
