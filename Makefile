@@ -4,6 +4,7 @@ PYTHON ?= python3
 VENV := .venv
 BIN := $(VENV)/bin
 EXTENSION := python/freebody/_core.abi3.so
+PEERS := .bench
 RUST := $(shell find crates -name '*.rs' -o -name Cargo.toml) Cargo.toml Cargo.lock
 PIP := $(BIN)/pip --disable-pip-version-check install --quiet -c constraints.txt
 export PYO3_PYTHON := $(CURDIR)/$(BIN)/python
@@ -40,11 +41,12 @@ format: $(VENV)/.dev ## format Rust and Python
 	$(BIN)/ruff format
 	$(BIN)/ruff check --fix
 
-bench: setup ## measure the speeds that the documents state
+bench: setup $(PEERS)/.installed ## measure the speeds that the documents state, beside those of the peers
 	cargo bench --locked --quiet -p freebody-core --bench derivative
 	$(BIN)/python bench/derivative.py
 	$(BIN)/python bench/laws.py
 	$(BIN)/python bench/equations.py
+	PYTHONPATH=python $(PEERS)/bin/python bench/side_by_side.py
 
 docs: setup ## build the documentation into build/docs
 	$(BIN)/sphinx-build -W --keep-going -q docs build/docs
@@ -64,6 +66,13 @@ $(VENV)/.dev: $(VENV)/.base pyproject.toml
 	$(PIP) --group dev
 	@touch $@
 
+# numbalsoda has no wheels, and not every machine has a Fortran compiler: the bench says when it is not there.
+$(PEERS)/.installed: bench/requirements.txt bench/constraints.txt
+	$(PYTHON) -m venv $(PEERS)
+	$(PEERS)/bin/pip --disable-pip-version-check install --quiet -c bench/constraints.txt -r bench/requirements.txt
+	-$(PEERS)/bin/pip --disable-pip-version-check install --quiet -c bench/constraints.txt "numbalsoda>=0.3.4"
+	@touch $@
+
 $(EXTENSION): $(VENV)/.base pyproject.toml $(RUST)
-	PIP_QUIET=1 PIP_CONSTRAINT=$(CURDIR)/constraints.txt $(BIN)/maturin develop --release --locked --quiet --extras cli,data,plot
+	PIP_QUIET=1 PIP_CONSTRAINT=$(CURDIR)/constraints.txt $(BIN)/maturin develop --release --locked --quiet --extras all
 	@touch $@

@@ -10,6 +10,20 @@ from freebody._core import __version__
 from freebody.attitude import Attitude
 from freebody.body import RigidBody, positive_integral_inertia, principal_inertia
 from freebody.compilation import compile
+from freebody.ensembles import (
+    Discrete,
+    Ensemble,
+    Factor,
+    FromFile,
+    LogNormal,
+    MultivariateNormal,
+    Normal,
+    Offset,
+    Runs,
+    Samples,
+    TruncatedNormal,
+    Uniform,
+)
 from freebody.equations import Equations, SymbolicBody, equations
 from freebody.errors import (
     BodyError,
@@ -18,6 +32,7 @@ from freebody.errors import (
     ModelFileError,
     NonFiniteError,
     SingularChartError,
+    StoreError,
     TraceError,
 )
 from freebody.forces import (
@@ -35,9 +50,20 @@ from freebody.forces import (
 )
 from freebody.linearization import Linearization
 from freebody.model import Model
-from freebody.simulation import ChartChange, Conserved, InputTable, Outcome, Trajectory
+from freebody.simulation import ChartChange, Conserved, InputTable, Occurrence, Outcome, Trajectory
 from freebody.tables import Table
-from freebody.tracing import ControlLaw, ForceLaw, callback, control, force, wrench
+from freebody.tracing import (
+    ControlLaw,
+    EventLaw,
+    ForceLaw,
+    OutputLaw,
+    callback,
+    control,
+    event,
+    force,
+    output,
+    wrench,
+)
 
 if TYPE_CHECKING:
     from freebody.model_file import LoadedModel
@@ -50,39 +76,57 @@ __all__ = [
     "ConstantWrench",
     "Control",
     "ControlLaw",
+    "Discrete",
+    "Ensemble",
     "Equations",
+    "EventLaw",
+    "Factor",
     "Force",
     "ForceLaw",
     "FreebodyError",
+    "FromFile",
     "InputError",
     "InputTable",
     "InputWrench",
     "LinearDamping",
     "Linearization",
+    "LogNormal",
     "Model",
     "ModelFileError",
+    "MultivariateNormal",
     "NonFiniteError",
+    "Normal",
+    "Occurrence",
+    "Offset",
     "Outcome",
+    "OutputLaw",
     "PointMassGravity",
     "QuadraticDamping",
     "Quantity",
     "RigidBody",
+    "Runs",
+    "Samples",
     "SingularChartError",
     "StateQuantity",
+    "StoreError",
     "SymbolicBody",
     "Table",
     "TabulatedWrench",
     "TraceError",
     "Trajectory",
+    "TruncatedNormal",
+    "Uniform",
     "UniformGravity",
     "__version__",
     "callback",
     "compile",
     "control",
     "equations",
+    "event",
     "force",
     "forms",
     "load",
+    "output",
     "positive_integral_inertia",
     "principal_inertia",
     "wrench",

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 import reprlib
 from typing import NamedTuple, TypeAlias
 
@@ -139,7 +140,11 @@ def numbers(name: str, value: ArrayLike, *shape: int) -> Array:
 
 def vector(name: str, value: ArrayLike, *shape: int) -> Array:
     """Check finite numbers of exactly this shape; a copy that nobody else can change."""
-    array = np.ascontiguousarray(_finite(name, numbers(name, value, *shape)))
+    if type(value) is np.ndarray and value.dtype == np.float64 and value.shape == shape and value.size > 0:
+        array = value.copy()  # the usual case, without the questions of the others
+        array = array if np.isfinite(array).all() else _finite(name, array)
+    else:
+        array = np.ascontiguousarray(_finite(name, numbers(name, value, *shape)))
     array.flags.writeable = False
     return array
 
@@ -174,14 +179,13 @@ def out_refusal(out: object, n: int) -> InputError:
     if isinstance(out, np.ndarray):
         came = f"an array of {out.dtype}, shape {out.shape}, strides {out.strides}"
         came += "" if out.flags.writeable else ", read-only"
-    return InputError(
-        f"out: got {came}; give a writable contiguous float64 array of shape ({n},) that shares nothing with "
-        "x or u"
-    )
+    return InputError(f"out: got {came}; give a writable contiguous float64 array of shape ({n},)")
 
 
 def number(name: str, value: float, *, positive: bool = False) -> float:
     """Check one finite number."""
+    if type(value) is float and math.isfinite(value) and (value > 0.0 or not positive):
+        return value
     rule = f"give one finite{' positive' if positive else ''} number"
     try:
         array = np.asarray(value)
@@ -198,6 +202,8 @@ def number(name: str, value: float, *, positive: bool = False) -> float:
 
 def count(name: str, value: float) -> int:
     """Check a whole number from 1 to 2^53, up to which doubles count."""
+    if type(value) is int and 1 <= value <= 2**53:
+        return value
     checked = number(name, value)
     if not (checked.is_integer() and 1.0 <= checked <= 2.0**53):
         raise InputError(f"{name}: got {shown(value)}; give a whole number from 1 to 2^53")

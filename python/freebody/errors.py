@@ -12,6 +12,7 @@ __all__ = [
     "ModelFileError",
     "NonFiniteError",
     "SingularChartError",
+    "StoreError",
     "TraceError",
 ]
 
@@ -34,6 +35,10 @@ class SingularChartError(FreebodyError):
 
 class NonFiniteError(FreebodyError):
     """A result that is not finite although its arguments are: where, and at which state."""
+
+
+class StoreError(FreebodyError):
+    """A store of runs that cannot be begun, continued or written: which one, why, what to do."""
 
 
 class ModelFileError(FreebodyError):

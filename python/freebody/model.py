@@ -5,13 +5,13 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable, Mapping
 from typing import Literal
 
-import numpy as np
 from numpy.typing import ArrayLike
 
 from freebody import _check, _core
 from freebody._check import Array
 from freebody.attitude import Attitude
 from freebody.body import RigidBody
+from freebody.ensembles import Dispersion, Ensemble, Sampling
 from freebody.errors import InputError
 from freebody.forces import (
     ORIGIN,
@@ -25,6 +25,8 @@ from freebody.forces import (
 from freebody.linearization import Linearization, linearize
 from freebody.signals import connect, rigid_state_labels
 from freebody.simulation import InputTable, Method, Trajectory, simulate
+from freebody.states import state_of
+from freebody.tracing import EventLaw, OutputLaw
 
 __all__ = ["Model"]
 
@@ -76,7 +78,7 @@ class Model(_core.Model):
     input_units: tuple[str, ...]
     command_names: tuple[str, ...]
     command_units: tuple[str, ...]
-    _auxiliary: tuple[StateQuantity, ...]
+    auxiliary_states: tuple[StateQuantity, ...]
 
     def __new__(
         cls,
@@ -130,7 +132,7 @@ class Model(_core.Model):
         names, units = rigid_state_labels(attitude, form == "generalized")
         self.state_names = (*names, *(s.name for s in signals.states))
         self.state_units = (*units, *(s.unit for s in signals.states))
-        self._auxiliary = signals.states
+        self.auxiliary_states = signals.states
         self.input_names, self.input_units = _labels(signals.inputs)
         self.command_names, self.command_units = _labels(signals.commands)
         return self
@@ -138,8 +140,8 @@ class Model(_core.Model):
     @property
     def auxiliary(self) -> Mapping[str, int]:
         """The places in x of the auxiliary states, by name."""
-        first = self.n_states - len(self._auxiliary)
-        return {state.name: first + i for i, state in enumerate(self._auxiliary)}
+        first = self.n_states - len(self.auxiliary_states)
+        return {state.name: first + i for i, state in enumerate(self.auxiliary_states)}
 
     def state(
         self,
@@ -172,38 +174,8 @@ class Model(_core.Model):
         SingularChartError
             The angle rates of the generalized form do not exist at this attitude.
         """
-        attitude = Attitude.identity() if attitude is None else attitude
-        if not isinstance(attitude, Attitude):
-            raise InputError(f"attitude: got {_check.shown(attitude)}; make one with Attitude.angles(...)")
-        body_from_world = attitude.as_rotation().T
-        velocity = _check.in_body_axes("velocity", velocity_body, velocity_world, body_from_world)
-        turn = _check.in_body_axes(
-            "angular_velocity", angular_velocity_body, angular_velocity_world, body_from_world
-        )
-        angles = np.zeros(3) if self.attitude == "quaternion" else attitude.as_angles(self.attitude)
-        x = self.state_of(
-            _check.vector("position", position, 3),
-            attitude.as_quaternion(),
-            np.concatenate([velocity, turn]),
-            angles,
-        )
-        if self.attitude != "quaternion":
-            x[3:6] = angles
-        values = {state.name: state.initial for state in self._auxiliary} | self._given_states(states)
-        x[self.n_states - len(values) :] = list(values.values())
-        return x
-
-    def _given_states(self, states: Mapping[str, float] | None) -> dict[str, float]:
-        if not isinstance(states, Mapping | None):
-            raise InputError(
-                f'states: got {_check.shown(states)}; give a dictionary such as {{"fin.servo": 0.1}}'
-            )
-        given, known = states or {}, self.auxiliary
-        for name in given:
-            if name not in known:
-                allowed = ", ".join(map(repr, known)) or "none, for no law of this model has states"
-                raise InputError(f"states: got {_check.shown(name)}; allowed are {allowed}")
-        return {name: _check.number(f"states[{name!r}]", value) for name, value in given.items()}
+        twist = velocity_body, velocity_world, angular_velocity_body, angular_velocity_world
+        return state_of(self, position, attitude, twist, states)
 
     def simulate(
         self,
@@ -219,6 +191,8 @@ class Model(_core.Model):
         inputs: ArrayLike | InputTable | None = None,
         max_steps: int = 10_000_000,
         progress: Callable[[float], object] | None = None,
+        events: Iterable[EventLaw] = (),
+        outputs: Iterable[OutputLaw] = (),
     ) -> Trajectory:
         """Simulate from a state.
 
@@ -232,13 +206,15 @@ class Model(_core.Model):
         t_span
             Start and end, s.
         method
-            "dop853": Dormand-Prince 8(5,3), adaptive. "dp54": Dormand-Prince 5(4), adaptive. "rk4": classical
-            Runge-Kutta, fixed step (Hairer, Nørsett, Wanner, Solving ODEs I, 2nd ed., II.1 and II.5).
+            "dop853", "dp54": Dormand-Prince 8(5,3) and 5(4), adaptive. "rk4": classical, fixed step. (Hairer,
+            Nørsett, Wanner, Solving ODEs I, 2nd ed., II.1, II.5.) "rodas5p": for stiff forces, adaptive
+            (Steinebach, BIT 63, 2023). "gauss6": fixed step, keeps the energy of free motion (Hairer, Lubich,
+            Wanner, Geometric Numerical Integration, 2nd ed., IV.2).
         rtol, atol
             Error allowed to one step: of each vector of the state (position, velocity, ...) atol + rtol times
             its length, of the orientation rtol rad. atol is 1e-3 rtol when omitted, in SI units.
         step
-            The fixed step of rk4, s; the first step of the others, which choose one when it is omitted.
+            The fixed step of rk4 and gauss6, s; the first step of the others, which otherwise choose one.
         save_every, save_at
             Samples every so many s and at the end, or at given times (n,); every step when both are omitted.
         inputs
@@ -247,6 +223,8 @@ class Model(_core.Model):
             Stop after so many steps, accepted and rejected.
         progress
             Called now and then with the part done, 0 to 1.
+        events, outputs
+            Made by `freebody.event` and `freebody.output`; see the trajectory's `events` and `outputs`.
 
         Returns
         -------
@@ -266,7 +244,24 @@ class Model(_core.Model):
             inputs=inputs,
             max_steps=max_steps,
             progress=progress,
+            events=events,
+            outputs=outputs,
         )
+
+    def ensemble(
+        self,
+        x0: ArrayLike,
+        dispersions: Mapping[str, Dispersion],
+        *,
+        n: int,
+        seed: int = 0,
+        sampling: Sampling = "random",
+        inputs: ArrayLike | InputTable | None = None,
+        events: Iterable[EventLaw] = (),
+        outputs: Iterable[OutputLaw] = (),
+    ) -> Ensemble:
+        """n runs that differ in what is dispersed, {"mass": fb.Uniform(11.0, 14.0)}; see `Ensemble`."""
+        return Ensemble(self, x0, dispersions, n, seed, sampling, inputs, events, outputs)
 
     def with_compiled(self, compiled: _core.Compiled) -> Model:
         """The same model with a derivative that `freebody.compile` made."""

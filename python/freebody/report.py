@@ -7,10 +7,11 @@ from numpy.typing import ArrayLike
 from rich.table import Table
 from rich.text import Text
 
+from freebody.ensembles import Runs
 from freebody.model import Model
-from freebody.simulation import Trajectory
+from freebody.simulation import GOOD_ENDS, OUTCOMES, Trajectory
 
-__all__ = ["describe_model", "summary"]
+__all__ = ["describe_model", "ensemble_summary", "summary"]
 
 
 # A tumbling body may change its chart a hundred times.
@@ -60,6 +61,21 @@ def summary(run: Trajectory) -> Table:
         table.add_row("", f"and {len(run.chart_changes) - _CHANGES_TOLD} more; all are in the data")
     table.add_row("work", f"{run.steps} steps, {run.rejected_steps} rejected, {run.evaluations} evaluations")
     table.add_row("wall time", f"{run.wall_time:.3g} s")
+    return table
+
+
+def ensemble_summary(runs: Runs) -> Table:
+    """How the runs of an ensemble ended, how often events came."""
+    table = _two_columns()
+    n, counts = len(runs), np.bincount(runs.outcome, minlength=len(OUTCOMES))
+    for word, count in zip(OUTCOMES, counts, strict=True):
+        if count:
+            style = "green" if word in GOOD_ENDS else "bold red"
+            table.add_row(word.replace("_", " "), Text(f"{count} of {n} runs, {count / n:.3%}", style=style))
+    for name, times in runs.event_times.items():
+        came = times[np.isfinite(times)]
+        span = f", first at {_time(came.min())} to {_time(came.max())}" if came.size else ""
+        table.add_row(name, f"event in {came.size} of {n} runs{span}")
     return table
 
 

@@ -12,14 +12,13 @@ from typing import NamedTuple
 
 import numpy as np
 import xarray as xr
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
+from freebody._check import Array
 from freebody.errors import InputError
 from freebody.simulation import Trajectory
 
 __all__ = ["check_suffix", "save", "to_dataset"]
-
-Array = NDArray[np.float64]
 
 AXES = ("axis", ("x", "y", "z"))
 QUATERNION = ("quaternion_component", ("w", "x", "y", "z"))
@@ -49,6 +48,11 @@ def to_dataset(
     dataset = xr.Dataset(coords={"time": ("time", run.t, {"units": "s", "long_name": "time"})})
     for variable in _variables(run, points or {}):
         _add(dataset, variable)
+    for name, value in run.outputs.items():
+        unit = run.output_units[name]
+        dataset[f"output_{name}"] = ((), value, {"units": unit, "long_name": f"output {name}"})
+    if run.events:
+        _add_events(dataset, run)
     dataset.attrs = {
         **(attributes or {}),
         "outcome": run.outcome.status,
@@ -126,6 +130,16 @@ def _add(dataset: xr.Dataset, variable: Variable) -> None:
     dataset[variable.name] = (dims, variable.values, {"units": variable.unit, "long_name": variable.meaning})
 
 
+def _add_events(dataset: xr.Dataset, run: Trajectory) -> None:
+    dataset.coords["event"] = ("occurrence", [event.name for event in run.events])
+    dataset.coords["state"] = list(run.state_names)
+    dataset.coords["state_unit"] = ("state", list(run.state_units))
+    times, states = [event.time for event in run.events], [event.state for event in run.events]
+    dataset["event_time"] = ("occurrence", times, {"units": "s", "long_name": "time of the event"})
+    meaning = {"units": "those of state_unit", "long_name": "state at the event"}
+    dataset["event_state"] = (("occurrence", "state"), states, meaning)
+
+
 def save(dataset: xr.Dataset, path: Path) -> None:
     """Writes to `path` as its suffix says, at once or not at all. Raises `InputError` for another suffix."""
     check_suffix(path)
@@ -150,9 +164,11 @@ def _write_netcdf(dataset: xr.Dataset, path: Path) -> None:
 
 
 def _write_csv(dataset: xr.Dataset, path: Path) -> None:
-    """A column for each component, `name_component [unit]`, 17 digits."""
+    """A column for each component over time, `name_component [unit]`, 17 digits."""
     headings, columns = ["time [s]"], [dataset["time"].values]
     for name, variable in dataset.data_vars.items():
+        if "time" not in variable.dims:
+            continue
         unit = variable.attrs["units"]
         if variable.ndim == 1:
             headings.append(f"{name} [{unit}]")

@@ -3,14 +3,15 @@
 from __future__ import annotations
 
 import difflib
-from collections.abc import Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from typing import NamedTuple
 
+from freebody import _check
 from freebody.errors import InputError
 from freebody.forces import Control, Force, InputWrench, Quantity, StateQuantity
 from freebody.units import agree
 
-__all__ = ["Signals", "connect", "rigid_state_labels"]
+__all__ = ["Signals", "connect", "given_states", "input_places", "rigid_state_labels"]
 
 
 class Signals(NamedTuple):
@@ -55,6 +56,21 @@ def connect(forces: Sequence[Force], control: Control | None) -> Signals:
         [[places[q.name] for q in quantities] for quantities in read],
         [] if control is None else [places[q.name] for q in control.inputs],
     )
+
+
+def input_places(reader: str, inputs: Sequence[Quantity], known: Mapping[str, str]) -> list[int]:
+    """The places of inputs among those that a model has, `known` with their units."""
+    names = list(known)
+    for name, unit in inputs:
+        if name not in known:
+            near = difflib.get_close_matches(name, known, 1)
+            hint = f"did you mean {near[0]!r}?" if near else f"its inputs are {', '.join(map(repr, known))}"
+            raise InputError(f"{reader} reads the input {name!r}, which the model has not; {hint}")
+        if not agree(known[name], unit):
+            raise InputError(
+                f"{reader} reads the input {name!r} in {unit!r}; the model has it in {known[name]!r}"
+            )
+    return [names.index(q.name) for q in inputs]
 
 
 def _inputs(force: Force, forces: Sequence[Force]) -> tuple[Quantity, ...]:
@@ -106,6 +122,20 @@ def _states(forces: Sequence[Force], control: Control | None) -> tuple[StateQuan
                 )
             found[name] = state._replace(name=name)
     return tuple(found.values())
+
+
+def given_states(states: Mapping[str, float] | None, known: Iterable[str]) -> dict[str, float]:
+    """Check auxiliary states that came by name."""
+    if not isinstance(states, Mapping | None):
+        raise InputError(
+            f'states: got {_check.shown(states)}; give a dictionary such as {{"fin.servo": 0.1}}'
+        )
+    given, names = states or {}, list(known)
+    for name in given:
+        if name not in names:
+            allowed = ", ".join(map(repr, names)) or "none, for no law of this model has states"
+            raise InputError(f"states: got {_check.shown(name)}; allowed are {allowed}")
+    return {name: _check.number(f"states[{name!r}]", value) for name, value in given.items()}
 
 
 def _xyz(stem: str) -> tuple[str, ...]:

@@ -9,7 +9,7 @@ from freebody.simulation import Method
 from .scenes import BODY, START
 
 BALL = fb.RigidBody(1.0, inertia_about_com=np.eye(3))
-METHODS = {"dp54": {}, "dop853": {}, "rk4": {"step": 0.01}}
+METHODS = {"dp54": {}, "dop853": {}, "rk4": {"step": 0.01}, "rodas5p": {}, "gauss6": {"step": 0.01}}
 
 
 def check_data(run: fb.Trajectory) -> None:
@@ -28,8 +28,11 @@ def test_reached_end(method: Method) -> None:
     assert (run.ok, run.outcome.status, run.outcome.time) == (True, "reached_end", 4.0)
     check_data(run)
     # Each step evaluates the stages of its method, and the first asks for little more.
-    stages = {"dp54": 6, "dop853": 12, "rk4": 4}[method]
-    assert 0 <= run.evaluations - stages * (run.steps + run.rejected_steps) <= 3 + run.steps
+    stages = {"dp54": 6, "dop853": 12, "rk4": 4, "rodas5p": 8, "gauss6": 6}[method]
+    more = run.evaluations - stages * (run.steps + run.rejected_steps)
+    assert more >= 0
+    # The iteration of gauss6 takes what it takes.
+    assert method == "gauss6" or more <= 3 + run.steps
 
 
 @pytest.mark.parametrize("method", METHODS)
@@ -47,7 +50,7 @@ def test_step_limit(method: Method) -> None:
     assert np.abs(rest.x[-1] - whole.x[-1]).max() <= 1e-8 * np.abs(whole.x[-1]).max()
 
 
-@pytest.mark.parametrize("method", ["dp54", "dop853"])
+@pytest.mark.parametrize("method", ["dp54", "dop853", "rodas5p"])
 def test_step_too_small_at_a_collision(method: Method) -> None:
     """A fall into a point mass ends at π/√8 √(r³/μ), where it is infinitely fast."""
     model = fb.Model(BALL, [fb.PointMassGravity(1.0, gradient_torque=False)])

@@ -4,7 +4,6 @@ import io
 import json
 import math
 import re
-import sys
 from importlib.metadata import version
 
 import pytest
@@ -12,25 +11,9 @@ import xarray as xr
 from rich.console import Console
 
 from freebody import verify
-from freebody.cli import main, progress
+from freebody.cli import progress
 from freebody.model_file import shipped_model, shipped_names
 from freebody.verify.residual import Residual
-
-
-@pytest.fixture
-def freebody(tmp_path, monkeypatch, capsys):
-    """Runs a command line in an empty folder: (exit status, standard output, standard error)."""
-    monkeypatch.chdir(tmp_path)
-    monkeypatch.setenv("COLUMNS", "120")
-
-    def run(*arguments):
-        monkeypatch.setattr(sys, "argv", ["freebody", *map(str, arguments)])
-        with pytest.raises(SystemExit) as ending:
-            main()
-        printed = capsys.readouterr()
-        return ending.value.code or 0, printed.out, printed.err
-
-    return run
 
 
 def test_run_writes_data_and_figure_and_says_where(freebody, tmp_path):

@@ -9,7 +9,14 @@ from pydantic import BaseModel
 
 import freebody as fb
 from freebody.errors import InputError, ModelFileError
-from freebody.model_file import force_schema, load_model, schema, shipped_model, shipped_names
+from freebody.model_file import (
+    dispersion_schema,
+    force_schema,
+    load_model,
+    schema,
+    shipped_model,
+    shipped_names,
+)
 from freebody.model_file.units import FieldError, to_si
 
 PAGE = (Path(__file__).parents[2] / "docs" / "model-file.md").read_text()
@@ -125,6 +132,7 @@ FAULTS = [
     ('"2 s"', '"-2 s"', 12, "simulation", "end must be later than start"),
     ("rtol = 1e-10", "rtol = 0", 14, "simulation.rtol", "must be positive; came 0"),
     ("rtol = 1e-10", 'method = "rk4"', 12, "simulation", "needs a step"),
+    ("rtol = 1e-10", 'method = "gauss6"', 12, "simulation", "needs a step"),
     ("rtol = 1e-10", 'method = "dop85"', 14, "simulation.method", "did you mean 'dop853'?"),
     ("rtol = 1e-10", "max_steps = 2.5", 14, "simulation.max_steps", "needs a whole number; came 2.5"),
     ("rtol = 1e-10", 'max_steps = "2"', 14, "simulation.max_steps", "needs a whole number; came '2'"),
@@ -272,7 +280,7 @@ def test_a_bad_csv_is_told_at_its_key(load, tmp_path, text, says):
 def test_the_page_has_every_key():
     sections = [
         kind
-        for module in (schema, force_schema)
+        for module in (schema, force_schema, dispersion_schema)
         for kind in vars(module).values()
         if isinstance(kind, type) and issubclass(kind, BaseModel)
     ]

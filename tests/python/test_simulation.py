@@ -17,7 +17,13 @@ BODY = fb.RigidBody(
 GRAVITY = fb.UniformGravity(9.81, name="earth")
 MODEL = fb.Model(BODY, [GRAVITY], name="stone")
 X0 = MODEL.state([1.0, 2.0, 3.0], velocity_body=[1.0, 0.5, -2.0], angular_velocity_body=[0.3, 2.0, 0.1])
-METHODS: list[dict[str, Any]] = [{"method": "dop853"}, {"method": "dp54"}, {"method": "rk4", "step": 1e-3}]
+METHODS: list[dict[str, Any]] = [
+    {"method": "dop853"},
+    {"method": "dp54"},
+    {"method": "rk4", "step": 1e-3},
+    {"method": "rodas5p"},
+    {"method": "gauss6", "step": 0.03},
+]
 
 
 def stone(t_span: tuple[float, float] = (0.0, 1.0), **options: Any) -> fb.Trajectory:

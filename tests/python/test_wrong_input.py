@@ -391,6 +391,10 @@ OTHERS: dict[str, tuple[Callable[[], object], str]] = {
     "loose rtol": (lambda: simulate(rtol=1.0), "^rtol: got 1.0; allowed is from 1e-14 to below 1"),
     "negative atol": (lambda: simulate(atol=-1e-9), "^atol: got -1e-09; allowed is 0 or more"),
     "rk4 without step": (lambda: simulate(method="rk4"), "^step: rk4 has a fixed step; give its size in s"),
+    "gauss6 without step": (
+        lambda: simulate(method="gauss6"),
+        "^step: gauss6 has a fixed step; give its size",
+    ),
     "broken max_steps": (lambda: simulate(max_steps=2.5), "^max_steps: got 2.5; give a whole number from 1"),
     "no steps": (lambda: simulate(max_steps=0), "^max_steps: got 0; give a whole number from 1"),
     "endless steps": (lambda: simulate(max_steps=1e300), r"^max_steps: got 1e\+300; give a whole number"),
@@ -482,7 +486,7 @@ WRONG_OUT: dict[str, Any] = {
     "single": np.zeros(13, np.float32),
     "every second": np.zeros(26)[::2],
     "read-only": np.broadcast_to(0.0, 13),
-    "the state": X,
+    "misaligned": np.zeros(8 * 13 + 1, np.uint8)[1:].view(float),
 }
 
 
@@ -490,6 +494,19 @@ WRONG_OUT: dict[str, Any] = {
 def test_wrong_out(fault: str) -> None:
     told = r"^out: got .*; give a writable contiguous float64 array of shape \(13,\)"
     refused(lambda v: MODEL.derivative(0.0, X, out=v), WRONG_OUT[fault], told)
+
+
+def test_misaligned_numbers_are_copied() -> None:
+    x = np.zeros(8 * 13 + 1, np.uint8)[1:].view(float)
+    x[:] = X
+    assert not x.flags.aligned
+    assert np.array_equal(MODEL.derivative(0.0, x), MODEL.derivative(0.0, X))
+
+
+def test_the_state_will_do_as_out() -> None:
+    x = X.copy()
+    assert MODEL.derivative(0.0, x, out=x) is x
+    assert np.array_equal(x, MODEL.derivative(0.0, X))
 
 
 def test_an_error_loses_nothing() -> None:
@@ -574,7 +591,7 @@ def test_a_body_pushed_beyond_doubles_is_refused() -> None:
 
 def test_errors_are_one_family() -> None:
     errors = [getattr(fb, name) for name in fb.__all__ if name.endswith("Error")]
-    assert len(errors) == 7
+    assert len(errors) == 8
     assert all(issubclass(error, fb.FreebodyError) for error in errors)
     assert issubclass(fb.BodyError, fb.InputError)
     assert issubclass(fb.InputError, ValueError)

@@ -41,7 +41,7 @@ fn nanoseconds(mut call: impl FnMut()) -> f64 {
 fn body(forces: Vec<Force<f64>>) -> FreeBody<f64> {
     let about_com = Sym3::from_array([0.42, 0.01, -0.02, 0.91, 0.03, 1.10]);
     let inertia = Inertia::new(12.5, Vec3::new(0.12, -0.05, 0.08), about_com);
-    FreeBody::new(inertia, forces, Chart::Quaternion, Form::QuasiVelocity).with_one_law()
+    FreeBody::new(inertia, forces, Chart::Quaternion, Form::QuasiVelocity).made_ready()
 }
 
 fn three_forces() -> Vec<Force<f64>> {

@@ -1,9 +1,10 @@
 //! A body made ready for this machine: f and its Jacobians at single states, on the best instruction set.
 
 use crate::buffer::Buffer;
+use crate::bulk::{Points, always_zero, closed_jacobians, derivatives, dual_jacobians};
 use crate::linearize;
 use crate::phase_space::parts::{Parts, Sizes};
-use crate::phase_space::{FreeBody, elsewhere};
+use crate::phase_space::{Entries, FreeBody, elsewhere};
 use crate::scalar::isa::{Isa, with_lanes};
 use crate::scalar::{Block, Dual, Lane};
 use std::sync::Arc;
@@ -18,12 +19,36 @@ const DIRECTIONS: usize = 1;
 trait Evaluate: Send + Sync {
     fn derivative(&self, t: f64, x: &[f64], u: &[f64], dx: &mut [f64]);
     fn jacobian(&self, t: f64, x: &[f64], u: &[f64], by_state: &mut [f64], by_input: &mut [f64]);
+    fn derivatives(&self, points: &Points<'_>, out: &mut [f64], threads: usize);
+    fn jacobians(&self, points: &Points<'_>, out: &mut [f64], threads: usize);
 }
 
 /// The body over a single number `S` for values, and over lanes `L` of directions for derivatives.
 struct On<S, L> {
     values: FreeBody<S>,
+    lanes: FreeBody<L>,
     duals: FreeBody<Dual<L, DIRECTIONS>>,
+    /// If the Jacobian has a closed form, the entries that are always zero.
+    zeros: Option<Vec<usize>>,
+}
+
+/// The two parts of a Jacobian that is written.
+struct Parted<'a> {
+    by_state: &'a mut [f64],
+    by_input: &'a mut [f64],
+    states: usize,
+    inputs: usize,
+}
+
+impl<S: Lane> Entries<S> for Parted<'_> {
+    #[inline(always)]
+    fn put(&mut self, row: usize, column: usize, value: S) {
+        let place = match column.checked_sub(self.states) {
+            None => &mut self.by_state[row * self.states + column],
+            Some(input) => &mut self.by_input[row * self.inputs + input],
+        };
+        *place = number(value);
+    }
 }
 
 /// The number that a one-number type holds.
@@ -53,6 +78,26 @@ impl<S: Lane, L: Lane> On<S, L> {
                 for (d, r) in dx.iter_mut().zip(rate) {
                     *d = number(*r);
                 }
+            },
+        );
+    }
+}
+
+impl<S: Lane, L: Lane> On<S, L> {
+    /// The Jacobian by its entries that are not always zero.
+    fn closed_jacobian(&self, x: &[f64], by_state: &mut [f64], by_input: &mut [f64]) {
+        L::call(
+            #[inline(always)]
+            || {
+                by_state.fill(0.0);
+                by_input.fill(0.0);
+                let mut state = [S::zero(); Sizes::LARGEST.rigid()];
+                for (to, x) in state.iter_mut().zip(x) {
+                    *to = S::lit(*x);
+                }
+                let inputs = by_input.len() / x.len();
+                let mut out = Parted { by_state, by_input, states: x.len(), inputs };
+                self.values.write_jacobian(&state[..x.len()], &mut out);
             },
         );
     }
@@ -92,10 +137,24 @@ impl<S: Lane, L: Lane> Evaluate for On<S, L> {
     }
 
     fn jacobian(&self, t: f64, x: &[f64], u: &[f64], by_state: &mut [f64], by_input: &mut [f64]) {
+        if self.zeros.is_some() {
+            return self.closed_jacobian(x, by_state, by_input);
+        }
         L::call(
             #[inline(always)]
             || linearize::jacobian::<L, DIRECTIONS, _>(&self.duals, t, x, u, by_state, by_input),
         );
+    }
+
+    fn derivatives(&self, points: &Points<'_>, out: &mut [f64], threads: usize) {
+        derivatives(&self.lanes, points, out, threads);
+    }
+
+    fn jacobians(&self, points: &Points<'_>, out: &mut [f64], threads: usize) {
+        match &self.zeros {
+            Some(zeros) => closed_jacobians(&self.lanes, zeros, points, out, threads),
+            None => dual_jacobians(&self.duals, points, out, threads),
+        }
     }
 }
 
@@ -116,7 +175,9 @@ impl Evaluator {
     pub fn on(isa: Isa, body: &FreeBody<f64>) -> Self {
         assert!(Isa::available().contains(&isa), "this machine has no {isa:?}");
         with_lanes!(isa, L => {
-            let kernel = On::<<L as Lane>::Single, L> { values: body.lift(), duals: body.lift() };
+            let (values, lanes, duals) = (body.lift(), body.lift(), body.lift());
+            let zeros = body.has_closed_jacobian().then(|| always_zero(body));
+            let kernel = On::<<L as Lane>::Single, L> { values, lanes, duals, zeros };
             let compiled = body.compiled.as_ref().map(|[block, _]| block.clone());
             Self { compiled, kernel: Box::new(kernel) }
         })
@@ -135,5 +196,15 @@ impl Evaluator {
     /// ∂f/∂x and ∂f/∂u, by rows, exact. Konoplev (3.2)
     pub fn jacobian(&self, t: f64, x: &[f64], u: &[f64], by_state: &mut [f64], by_input: &mut [f64]) {
         self.kernel.jacobian(t, x, u, by_state, by_input);
+    }
+
+    /// f(x, u, t) of each point, by component. Konoplev (3.2)
+    pub fn derivatives(&self, points: &Points<'_>, out: &mut [f64], threads: usize) {
+        self.kernel.derivatives(points, out, threads);
+    }
+
+    /// (∂f/∂x ∂f/∂u) of each point, by rows of the matrix, each entry of all points together. Konoplev (3.2)
+    pub fn jacobians(&self, points: &Points<'_>, out: &mut [f64], threads: usize) {
+        self.kernel.jacobians(points, out, threads);
     }
 }

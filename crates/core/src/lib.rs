@@ -6,8 +6,10 @@
 
 pub mod algebra;
 mod buffer;
+pub mod bulk;
 pub mod catalog;
 pub mod charts;
+pub mod ensemble;
 pub mod evaluate;
 pub mod expression;
 pub mod forces;
@@ -21,5 +23,7 @@ pub mod phase_space;
 pub mod scalar;
 pub mod screw;
 pub mod simulate;
+pub mod watch;
+
 #[cfg(test)]
 mod tests;

@@ -27,7 +27,7 @@ fn inertia((ids, about_origin): Body) -> Inertia<Expression> {
 
 /// A model, each law for itself, over expressions, with its own body or another. Inside `enter`.
 fn written(model: &Model, body: Option<Body>) -> FreeBody<Expression> {
-    let each = FreeBody { law: None, ..model.free_body.clone() };
+    let each = FreeBody { acting: None, ..model.free_body.clone() };
     let lifted = each.map(&mut Expression::lit);
     FreeBody { inertia: body.map_or(lifted.inertia, inertia), ..lifted }
 }

@@ -99,7 +99,7 @@ thread_local! {
 }
 
 /// Runs what may call callbacks on this thread; what one of them raised is the error.
-fn raising<R>(f: impl FnOnce() -> R) -> PyResult<R> {
+pub fn raising<R>(f: impl FnOnce() -> R) -> PyResult<R> {
     let before = RAISED.take();
     let result = f();
     match RAISED.replace(before) {
@@ -113,6 +113,11 @@ impl Model {
     fn callback(&self) -> Option<&str> {
         let place = self.free_body.forces.iter().position(|f| matches!(f, Element::Callback(_)))?;
         Some(&self.law_names[place])
+    }
+
+    /// Whether Python computes a force.
+    pub fn has_callback(&self) -> bool {
+        self.callback().is_some()
     }
 
     /// Runs what may call callbacks.

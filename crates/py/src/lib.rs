@@ -2,10 +2,13 @@
 
 mod arguments;
 mod body;
+mod bulk;
 mod compiled;
 mod diagnosis;
+mod ensemble;
 mod equations;
 mod errors;
+mod evaluate;
 mod forces;
 mod forms;
 mod graph;
@@ -14,6 +17,7 @@ mod model;
 mod simulate;
 mod tables;
 mod toml_spans;
+mod watch;
 
 use pyo3::prelude::*;
 
@@ -29,10 +33,12 @@ fn _core(m: &Bound<'_, PyModule>) -> PyResult<()> {
     m.add_class::<laws::Control>()?;
     m.add_class::<model::Model>()?;
     m.add_class::<simulate::RunResult>()?;
+    m.add_class::<ensemble::EnsembleResult>()?;
     m.add_class::<tables::Table>()?;
     m.add_class::<tables::Grid>()?;
     m.add_function(wrap_pyfunction!(forms::form, m)?)?;
     m.add_function(wrap_pyfunction!(simulate::simulate, m)?)?;
+    m.add_function(wrap_pyfunction!(ensemble::run_ensemble, m)?)?;
     m.add_function(wrap_pyfunction!(toml_spans::toml_parse, m)?)?;
     Ok(())
 }

@@ -1,6 +1,5 @@
-//! `Model`: f(x, u, t) and its Jacobians at single states, and what can be read off states.
+//! `Model`: what it is made of, and what can be read off states.
 
-use crate::arguments::{number, vector, write_out};
 use crate::body::RigidBody;
 use crate::compiled::Compiled;
 use crate::errors;
@@ -19,24 +18,17 @@ use pyo3::prelude::*;
 #[pyclass(subclass, frozen, module = "freebody._core")]
 pub struct Model {
     pub free_body: FreeBody<f64>,
-    evaluator: Evaluator,
+    pub evaluator: Evaluator,
     /// Of the forces, and behind them of the control law.
     pub law_names: Vec<String>,
-    states: usize,
-    inputs: usize,
-    /// The inputs when none are given.
-    zeros: Vec<f64>,
+    pub states: usize,
+    pub inputs: usize,
 }
 
 type Array1<'py> = Bound<'py, PyArray1<f64>>;
 type Array2<'py> = Bound<'py, PyArray2<f64>>;
 
 impl Model {
-    /// Zeros when no input is given.
-    fn input<'py>(&self, u: Option<&Bound<'py, PyAny>>) -> PyResult<Option<PyReadonlyArray1<'py, f64>>> {
-        u.map(|u| vector("u", u, self.inputs)).transpose()
-    }
-
     fn rows<'a>(&self, x: &'a PyReadonlyArray2<'_, f64>) -> PyResult<Vec<&'a [f64]>> {
         if x.shape()[1] != self.states {
             let allowed = format!("x: got shape {:?}; allowed is (n, {})", x.shape(), self.states);
@@ -71,10 +63,10 @@ impl Model {
         let form = if generalized { Form::Generalized } else { Form::QuasiVelocity };
         let compiled = compiled.map(|c| c.0);
         let unjoined = FreeBody { control, compiled, ..FreeBody::new(body.inertia, elements, chart, form) };
-        let free_body = unjoined.with_one_law();
+        let free_body = unjoined.made_ready();
         let evaluator = Evaluator::new(&free_body);
         let states = Dynamics::<f64>::state_size(&free_body);
-        Self { free_body, evaluator, law_names, states, inputs: n_inputs, zeros: vec![0.0; n_inputs] }
+        Self { free_body, evaluator, law_names, states, inputs: n_inputs }
     }
 
     /// How many numbers a state has.
@@ -89,101 +81,9 @@ impl Model {
         self.inputs
     }
 
-    /// The state derivative f(x, u, t). Konoplev (3.2).
-    ///
-    /// Parameters
-    /// ----------
-    /// t
-    ///     Time, s.
-    /// x
-    ///     State, (n_states,), as named by `state_names`.
-    /// u
-    ///     Inputs, (n_inputs,), as named by `input_names`; zero when omitted.
-    /// out
-    ///     Where to write the result, (n_states,) float64, contiguous; a new array when omitted.
-    ///
-    /// Raises
-    /// ------
-    /// InputError
-    ///     A wrong argument.
-    /// SingularChartError, NonFiniteError
-    ///     The derivative does not exist there.
-    #[pyo3(signature = (t, x, u=None, out=None))]
-    fn derivative<'py>(
-        &self,
-        py: Python<'py>,
-        t: &Bound<'py, PyAny>,
-        x: &Bound<'py, PyAny>,
-        u: Option<&Bound<'py, PyAny>>,
-        out: Option<&Bound<'py, PyAny>>,
-    ) -> PyResult<Array1<'py>> {
-        let t = number("t", t)?;
-        let x = vector("x", x, self.states)?;
-        let u = self.input(u)?;
-        let (x, u) = (x.as_slice()?, self.input_slice(u.as_ref())?);
-        let (mut stack, mut heap) = ([0.0; 16], Vec::new());
-        let rate = if self.states <= stack.len() {
-            &mut stack[..self.states]
-        } else {
-            heap.resize(self.states, 0.0);
-            &mut heap[..]
-        };
-        self.calling(|| self.evaluator.derivative(t, x, u, rate))?;
-        if !rate.iter().all(|v| v.is_finite()) || self.is_singular(x) {
-            return Err(self.diagnose(py, t, x, u));
-        }
-        let Some(out) = out else { return Ok(PyArray1::from_slice(py, rate)) };
-        write_out(out, rate)
-    }
-
-    /// The exact Jacobians A = ∂f/∂x, (n_states, n_states), and B = ∂f/∂u, (n_states, n_inputs). Konoplev (3.2).
-    ///
-    /// Arguments and errors as of `derivative`.
-    #[pyo3(signature = (t, x, u=None))]
-    fn jacobian<'py>(
-        &self,
-        py: Python<'py>,
-        t: &Bound<'py, PyAny>,
-        x: &Bound<'py, PyAny>,
-        u: Option<&Bound<'py, PyAny>>,
-    ) -> PyResult<(Array2<'py>, Array2<'py>)> {
-        let t = number("t", t)?;
-        let x = vector("x", x, self.states)?;
-        let u = self.input(u)?;
-        let (x, u) = (x.as_slice()?, self.input_slice(u.as_ref())?);
-        self.refuse_callbacks(py)?;
-        let (n, m) = (self.states, self.inputs);
-        let (mut a, mut b) = (vec![0.0; n * n], vec![0.0; n * m]);
-        self.evaluator.jacobian(t, x, u, &mut a, &mut b);
-        if !a.iter().chain(&b).all(|v| v.is_finite()) || self.is_singular(x) {
-            return Err(self.diagnose(py, t, x, u));
-        }
-        Ok((PyArray1::from_vec(py, a).reshape([n, n])?, PyArray1::from_vec(py, b).reshape([n, m])?))
-    }
-
-    /// The sum of all wrenches, (6,) N and N m, in body axes about the body origin.
-    ///
-    /// Arguments as of `derivative`.
-    #[pyo3(signature = (t, x, u=None))]
-    fn wrench<'py>(
-        &self,
-        py: Python<'py>,
-        t: &Bound<'py, PyAny>,
-        x: &Bound<'py, PyAny>,
-        u: Option<&Bound<'py, PyAny>>,
-    ) -> PyResult<Array1<'py>> {
-        let t = number("t", t)?;
-        let x = vector("x", x, self.states)?;
-        let u = self.input(u)?;
-        let (x, u) = (x.as_slice()?, self.input_slice(u.as_ref())?);
-        let wrenches = self.calling(|| self.free_body.wrenches(t, x, u))?;
-        let sum = wrenches.into_iter().fold(Screw::zero(), |a, b| a + b);
-        let mut six = [0.0; 6];
-        sum.store(&mut six);
-        if !six.iter().all(|v| v.is_finite()) {
-            return Err(self.diagnose(py, t, x, u));
-        }
-        Ok(PyArray1::from_slice(py, &six))
+    /// Where the parameters of each force, and behind them those of the control law, stand among all.
+    fn parameter_places(&self) -> Vec<(usize, usize)> {
+        self.free_body.parameter_places().into_iter().map(|p| (p.start, p.end)).collect()
     }
 
     /// Position (n, 3), quaternion (n, 4) and twist (n, 6) of states (n, n_states).
@@ -284,15 +184,5 @@ impl Model {
         let rows = self.rows(&x)?;
         let all: Option<Vec<f64>> = rows.iter().map(|r| self.free_body.singularity_distance(r)).collect();
         Ok(all.filter(|a| !a.is_empty()).map(|a| PyArray1::from_vec(py, a)))
-    }
-}
-
-impl Model {
-    /// The numbers of u, or zeros.
-    fn input_slice<'a>(&'a self, u: Option<&'a PyReadonlyArray1<'_, f64>>) -> PyResult<&'a [f64]> {
-        match u {
-            Some(u) => Ok(u.as_slice()?),
-            None => Ok(&self.zeros),
-        }
     }
 }

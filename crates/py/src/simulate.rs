@@ -2,6 +2,7 @@
 
 use crate::forces::tables;
 use crate::model::Model;
+use crate::watch::{EventArguments, OutputArguments, watched};
 use freebody_core::integrators::Tolerance;
 use freebody_core::simulate::{Ending, Inputs, MethodName, Run, Task, simulate as run};
 use numpy::{PyArray1, PyArray2, PyArrayMethods, PyReadonlyArray1, PyReadonlyArray2};
@@ -28,7 +29,9 @@ impl RunResult {
     fn status(&self) -> &'static str {
         match self.0.ending {
             Ending::ReachedEnd => "reached_end",
+            Ending::Event(_) => "event",
             Ending::StepTooSmall => "step_too_small",
+            Ending::StepTooLarge => "step_too_large",
             Ending::StepLimit => "step_limit",
             Ending::NonFinite { .. } => "non_finite",
             Ending::Interrupted => "interrupted",
@@ -39,6 +42,26 @@ impl RunResult {
     #[getter]
     fn force(&self) -> Option<usize> {
         if let Ending::NonFinite { force } = self.0.ending { force } else { None }
+    }
+
+    /// Place of the event that ended the run.
+    #[getter]
+    fn event(&self) -> Option<usize> {
+        if let Ending::Event(event) = self.0.ending { Some(event) } else { None }
+    }
+
+    /// Places, times (n,) and states (n, n_states) of the events.
+    fn occurrences<'py>(&self, py: Python<'py>) -> PyResult<(Vec<usize>, Array1<'py>, Array2<'py>)> {
+        let all = &self.0.occurrences;
+        let times: Vec<f64> = all.iter().map(|o| o.time).collect();
+        let states: Vec<f64> = all.iter().flat_map(|o| o.state.iter().copied()).collect();
+        let states = PyArray1::from_vec(py, states).reshape([all.len(), self.0.end_state.len()])?;
+        Ok((all.iter().map(|o| o.event).collect(), PyArray1::from_vec(py, times), states))
+    }
+
+    #[getter]
+    fn outputs(&self) -> Vec<f64> {
+        self.0.outputs.clone()
     }
 
     #[getter]
@@ -64,44 +87,70 @@ impl RunResult {
     }
 }
 
+/// Constant inputs, and what a table adds to them: times, columns (n_inputs, n), whether rows hold.
+pub fn inputs(
+    py: Python<'_>,
+    constants: Vec<f64>,
+    table: Option<(PyReadonlyArray1<'_, f64>, PyReadonlyArray2<'_, f64>, bool)>,
+) -> PyResult<Inputs> {
+    let tables = match table {
+        None => Vec::new(),
+        Some((times, columns, hold)) => {
+            tables(py, times, columns, hold)?.into_iter().map(|(table, _)| table).collect()
+        }
+    };
+    Ok(Inputs { constants, tables })
+}
+
+/// The method of a name that was checked.
+pub fn method_name(name: &str) -> MethodName {
+    match name {
+        "rk4" => MethodName::Rk4,
+        "dp54" => MethodName::Dp54,
+        "rodas5p" => MethodName::Rodas,
+        "gauss6" => MethodName::Gauss,
+        _ => MethodName::Dop853,
+    }
+}
+
 /// Simulates; arguments are checked by `freebody.simulation`.
 #[pyfunction]
-#[pyo3(signature = (model, x0, span, *, constant, table, save_at, method, tolerance, step, max_steps, progress))]
+#[pyo3(signature = (model, x0, span, *, constant, table, save_at, method, tolerance, step, max_steps, progress,
+                    events, outputs))]
 pub fn simulate(
     py: Python<'_>,
     model: &Bound<'_, Model>,
-    x0: Vec<f64>,
+    x0: PyReadonlyArray1<'_, f64>,
     span: [f64; 2],
-    constant: Vec<f64>,
+    constant: PyReadonlyArray1<'_, f64>,
     table: Option<(PyReadonlyArray1<'_, f64>, PyReadonlyArray2<'_, f64>, bool)>,
-    save_at: Option<Vec<f64>>,
+    save_at: Option<PyReadonlyArray1<'_, f64>>,
     method: &str,
     tolerance: [f64; 2],
     step: Option<f64>,
     max_steps: u64,
     progress: Option<Py<PyAny>>,
+    events: Vec<EventArguments>,
+    outputs: Vec<OutputArguments>,
 ) -> PyResult<RunResult> {
-    let inputs = match table {
-        None => Inputs::Constant(constant),
-        Some((times, columns, hold)) => {
-            Inputs::Tables(tables(py, times, columns, hold)?.into_iter().map(|(t, _)| t).collect())
-        }
-    };
+    let watched = watched(py, events, outputs)?;
+    let inputs = inputs(py, constant.as_slice()?.to_vec(), table)?;
+    let save_at = save_at.as_ref().map(|times| times.as_slice()).transpose()?;
+    let model = model.get();
+    if method == "rodas5p" {
+        model.refuse_callbacks(py)?;
+    }
     let task = Task {
-        x0: &x0,
+        x0: x0.as_slice()?,
         span,
         inputs: &inputs,
-        save_at: save_at.as_deref(),
-        method: match method {
-            "rk4" => MethodName::Rk4,
-            "dp54" => MethodName::Dp54,
-            _ => MethodName::Dop853,
-        },
+        save_at,
+        method: method_name(method),
         tolerance: Tolerance { relative: tolerance[0], absolute: tolerance[1] },
         step,
         max_steps,
+        watched: Some(&watched),
     };
-    let model = model.get();
     let mut failed = None;
     let result = py.detach(|| {
         let mut report = |t: f64| {

@@ -12,8 +12,10 @@ from freebody.errors import FreebodyError
 
 from .check import check
 from .console import errors
+from .ensemble import ensemble
 from .equations import equations
 from .run import run
+from .statistics import statistics
 from .verify import verify
 
 __all__ = ["run_app"]
@@ -26,7 +28,9 @@ app = typer.Typer(
 )
 app.command()(run)
 app.command()(check)
+app.command()(ensemble)
 app.command()(equations)
+app.command()(statistics)
 app.command()(verify)
 
 

@@ -1,4 +1,4 @@
-"""A progress bar for runs that last."""
+"""Progress bars for what lasts."""
 
 from __future__ import annotations
 
@@ -6,11 +6,22 @@ import time
 from typing import Self
 
 from rich.console import Console
-from rich.progress import BarColumn, Progress, TaskProgressColumn, TextColumn, TimeRemainingColumn
+from rich.progress import (
+    BarColumn,
+    MofNCompleteColumn,
+    Progress,
+    ProgressColumn,
+    Task,
+    TaskProgressColumn,
+    TextColumn,
+    TimeRemainingColumn,
+)
+from rich.text import Text
 
-__all__ = ["LongRunProgress"]
+__all__ = ["CampaignProgress", "LongRunProgress"]
 
 PATIENCE = 1.0  # seconds before the bar appears
+SILENCE = 30.0  # seconds between two lines where there is no terminal
 
 
 class LongRunProgress:
@@ -36,3 +47,43 @@ class LongRunProgress:
     def __exit__(self, *error: object) -> None:
         if self._shown:
             self._progress.stop()
+
+
+class CampaignProgress:
+    """A bar with the runs done, their rate and the time left; a line now and then where no terminal is."""
+
+    def __init__(self, console: Console, runs: int) -> None:
+        columns = (BarColumn(), MofNCompleteColumn(), TextColumn("runs"), _Rate(), TimeRemainingColumn())
+        self._console, self._runs = console, runs
+        self._progress = Progress(*columns, console=console, transient=True, disable=not console.is_terminal)
+        self._task = self._progress.add_task("runs", total=runs, start=False)
+        self._began: tuple[float, float] | None = None
+        self._told = time.monotonic()
+
+    def update(self, fraction: float) -> None:
+        """Shows that `fraction` of the runs is done; the first time, what was done before."""
+        done, now = round(fraction * self._runs), time.monotonic()
+        if self._began is None:
+            self._began = (now, done)
+            if done:
+                self._console.print(f"{done} of {self._runs} runs were done before")
+            self._progress.start()
+            self._progress.start_task(self._task)
+        self._progress.update(self._task, completed=done)
+        if not self._console.is_terminal and now - self._told >= SILENCE:
+            self._told = now
+            began, before = self._began
+            rate = (done - before) / (now - began)
+            left = f", {(self._runs - done) / rate:.0f} s left" if rate else ""
+            self._console.print(f"{done} of {self._runs} runs, {rate:.0f} runs/s{left}")
+
+    def __enter__(self) -> Self:
+        return self
+
+    def __exit__(self, *error: object) -> None:
+        self._progress.stop()
+
+
+class _Rate(ProgressColumn):
+    def render(self, task: Task) -> Text:
+        return Text("" if task.speed is None else f"{task.speed:.0f} runs/s")

@@ -4,15 +4,14 @@ from __future__ import annotations
 
 from typing import Annotated, Literal
 
-import numpy as np
-from numpy.typing import NDArray
 from pydantic import Field, model_validator
+
+from freebody._check import Array
 
 from .fields import Choice, Quantity, Section
 
 __all__ = ["AnyForce", "TabulatedWrench"]
 
-Array = NDArray[np.float64]
 Axes = Annotated[str, Choice("body", "world")]
 Point = Annotated[Array, Quantity("m", (3,))]
 Damping = Annotated[Array, Quantity("", (6,), (6, 6))]

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterable
 from dataclasses import dataclass
 from os import PathLike
 from pathlib import Path
@@ -13,11 +13,14 @@ from numpy.typing import NDArray
 from pydantic import ValidationError
 
 from freebody._core import toml_parse
+from freebody.ensembles import Dispersion, Ensemble, Sampling
 from freebody.errors import ModelFileError
 from freebody.model import Model
 from freebody.simulation import Trajectory
 
 from .build import build_initial_state, build_model
+from .dispersion_schema import EnsembleTable
+from .dispersions import build_dispersions
 from .problems import Source
 from .schema import Header, ModelFile, Output
 
@@ -40,6 +43,8 @@ class LoadedModel:
         The keyword arguments of `Model.simulate` that the file gives.
     output
         The material points whose paths are kept, and the data format.
+    dispersions, plan
+        How quantities differ between the runs of an ensemble; how many runs, and which.
     """
 
     path: Path
@@ -50,10 +55,50 @@ class LoadedModel:
     t_span: tuple[float, float]
     options: dict[str, Any]
     output: Output
+    dispersions: dict[str, Dispersion]
+    plan: EnsembleTable
 
     def simulate(self, *, progress: Callable[[float], None] | None = None) -> Trajectory:
         """Runs the file's simulation."""
         return self.model.simulate(self.x0, self.t_span, progress=progress, **self.options)
+
+    def ensemble(
+        self,
+        n: int | None = None,
+        *,
+        seed: int | None = None,
+        sampling: Sampling | None = None,
+        events: Iterable[Any] = (),
+        outputs: Iterable[Any] = (),
+    ) -> Ensemble:
+        """The file's ensemble; what is omitted is as [ensemble] says.
+
+        Raises `ModelFileError` where the file disperses nothing, or nobody says how many runs.
+        """
+        if not self.dispersions:
+            raise ModelFileError(
+                "an ensemble needs dispersions, such as [dispersions.mass]",
+                file=str(self.path),
+                key="dispersions",
+            )
+        runs = self.plan.n if n is None else n
+        if runs is None:
+            raise ModelFileError("say how many runs, here or with -n", file=str(self.path), key="ensemble.n")
+        return self.model.ensemble(
+            self.x0,
+            self.dispersions,
+            n=runs,
+            seed=self.plan.seed if seed is None else seed,
+            sampling=sampling or self.plan.sampling,
+            events=events,
+            outputs=outputs,
+        )
+
+    @property
+    def campaign_options(self) -> dict[str, Any]:
+        """The keyword arguments of `Ensemble.campaign` that the file gives."""
+        single = {key: value for key, value in self.options.items() if not key.startswith("save_")}
+        return single | self.plan.given("n", "seed", "sampling")
 
 
 def load_model(path: str | PathLike[str]) -> LoadedModel:
@@ -79,7 +124,10 @@ def load_model(path: str | PathLike[str]) -> LoadedModel:
         "points", "format"
     )
     t_span = (spec.simulation.start, spec.simulation.end)
-    return LoadedModel(path, text, spec.model, model, x0, t_span, options, spec.output)
+    dispersions = build_dispersions(spec.dispersions, model, x0, source)
+    return LoadedModel(
+        path, text, spec.model, model, x0, t_span, options, spec.output, dispersions, spec.ensemble
+    )
 
 
 def _read(path: Path) -> str:

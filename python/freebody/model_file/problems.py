@@ -25,6 +25,8 @@ _EXPECTED = {
     "dict_type": "a table",
 }
 
+_TAGS = {"type": "the kind of force", "kind": "the kind of distribution"}
+
 
 @dataclass(frozen=True)
 class Source:
@@ -67,9 +69,11 @@ class Source:
         if kind == "union_tag_invalid":
             known = [tag.strip(" '") for tag in context["expected_tags"].split(",")]
             word = context["tag"]
-            return _dotted((*path, "type")), f"unknown word {word!r}{did_you_mean(word, known)}"
+            tag = context["discriminator"].strip("'")
+            return _dotted((*path, tag)), f"unknown word {word!r}{did_you_mean(word, known)}"
         if kind == "union_tag_not_found":
-            return _dotted((*path, "type")), "this key is missing: the kind of force"
+            tag = context["discriminator"].strip("'")
+            return _dotted((*path, tag)), f"this key is missing: {_TAGS[tag]}"
         if kind in _EXPECTED:
             return _dotted(path), f"needs {_EXPECTED[kind]}; came {value!r}"
         return _dotted(path), detail["msg"]

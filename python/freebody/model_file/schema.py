@@ -5,18 +5,19 @@ from __future__ import annotations
 from typing import Annotated, Any
 
 import numpy as np
-from numpy.typing import NDArray
 from pydantic import BeforeValidator, Field, model_validator
 
+from freebody._check import Array
 from freebody.forms import SEQUENCES
+from freebody.simulation.settings import FIXED_STEP, METHODS
 
+from .dispersion_schema import AnyDistribution, EnsembleTable
 from .fields import Choice, Quantity, Section
 from .force_schema import AnyForce
 from .units import FieldError
 
 __all__ = ["AttitudeTable", "Body", "Header", "Inertia", "Initial", "ModelFile", "Output", "Simulation"]
 
-Array = NDArray[np.float64]
 Velocity = Annotated[Array | None, Quantity("m/s", (3,))]
 AngularVelocity = Annotated[Array | None, Quantity("rad/s", (3,))]
 Point = Annotated[Array, Quantity("m", (3,))]
@@ -148,20 +149,20 @@ class Simulation(Section):
     form: Annotated[str | None, Choice("quasi_velocity", "generalized")] = Field(
         default=None, description="the velocities in the state"
     )
-    method: Annotated[str | None, Choice("dop853", "dp54", "rk4")] = Field(
-        default=None, description="the integrator"
-    )
+    method: Annotated[str | None, Choice(*METHODS)] = Field(default=None, description="the integrator")
     rtol: Tolerance = Field(default=None, description="relative tolerance")
     atol: Tolerance = Field(default=None, description="absolute tolerance, SI units")
-    step: Duration = Field(default=None, description="the step of rk4, the first step of the others")
+    step: Duration = Field(
+        default=None, description="the step of rk4 and gauss6, the first step of the others"
+    )
     max_steps: int | None = Field(default=None, ge=1, description="the run ends there at the latest")
 
     @model_validator(mode="after")
     def _check(self) -> Simulation:
         if self.end <= self.start:
             raise FieldError(f"end must be later than start; came {self.start:g} s to {self.end:g} s")
-        if self.method == "rk4" and self.step is None:
-            raise FieldError('method = "rk4" needs a step')
+        if self.method in FIXED_STEP and self.step is None:
+            raise FieldError(f'method = "{self.method}" needs a step')
         return self
 
 
@@ -200,15 +201,20 @@ class ModelFile(Section):
     initial: Initial = Field(default=Initial(), description="the initial state")
     simulation: Simulation = Field(description="the table [simulation]")
     output: Output = Field(default=Output(), description="what is kept of the run")
+    dispersions: dict[str, AnyDistribution] = Field(
+        default_factory=dict, description="how quantities differ between the runs of an ensemble"
+    )
+    ensemble: EnsembleTable = Field(default=EnsembleTable(), description="how many runs, and which")
 
     @model_validator(mode="after")
     def _check(self) -> ModelFile:
         self.exactly_one("body", "parts")
         if self.parts == []:
             raise FieldError("needs at least one part", ("parts",))
-        times, start, end = self.output.save_at, self.simulation.start, self.simulation.end
-        if times is not None and (times[0] < start or times[-1] > end or np.any(np.diff(times) <= 0)):
-            raise FieldError(
-                f"the times must rise from {start:g} to {end:g} s at most", ("output", "save_at")
-            )
+        start, end = self.simulation.start, self.simulation.end
+        for section, times in (("output", self.output.save_at), ("ensemble", self.ensemble.save_at)):
+            if times is not None and (times[0] < start or times[-1] > end or np.any(np.diff(times) <= 0)):
+                raise FieldError(
+                    f"the times must rise from {start:g} to {end:g} s at most", (section, "save_at")
+                )
         return self

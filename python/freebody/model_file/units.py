@@ -122,7 +122,7 @@ def _factor(given: str, unit: str, at: tuple[int, ...]) -> float:
 
 
 def _kind(unit: str) -> str:
-    return f"{_KINDS[unit]} ({unit})" if unit else "a plain number"
+    return f"{_KINDS.get(unit, 'a value')} ({unit})" if unit else "a plain number"
 
 
 def _count(shape: Shape) -> str:

@@ -1,8 +1,25 @@
 """Trajectories: one run of a model, and what can be read off it."""
 
 from freebody.simulation.inputs import InputTable
-from freebody.simulation.outcome import ChartChange, Conserved, Outcome
-from freebody.simulation.simulate import Method, simulate
+from freebody.simulation.outcome import GOOD_ENDS, OUTCOMES, ChartChange, Conserved, Outcome
+from freebody.simulation.settings import Method, Settings, checked_settings
+from freebody.simulation.simulate import simulate
 from freebody.simulation.trajectory import Trajectory
+from freebody.simulation.watching import Occurrence, Watched, watched
 
-__all__ = ["ChartChange", "Conserved", "InputTable", "Method", "Outcome", "Trajectory", "simulate"]
+__all__ = [
+    "GOOD_ENDS",
+    "OUTCOMES",
+    "ChartChange",
+    "Conserved",
+    "InputTable",
+    "Method",
+    "Occurrence",
+    "Outcome",
+    "Settings",
+    "Trajectory",
+    "Watched",
+    "checked_settings",
+    "simulate",
+    "watched",
+]

@@ -10,7 +10,7 @@ from freebody._check import Array
 from freebody.errors import InputError
 from freebody.tables import Interpolation, check_slopes, table_times
 
-__all__ = ["InputTable", "constant_inputs"]
+__all__ = ["InputTable", "checked_inputs", "core_table"]
 
 
 class InputTable:
@@ -30,7 +30,8 @@ class InputTable:
     def __init__(self, times: ArrayLike, values: ArrayLike, interpolation: Interpolation = "linear") -> None:
         self.times = table_times(times)
         self.values = _check.columns("values", values, len(self.times))
-        self.interpolation = _check.choice("interpolation", interpolation, ("linear", "hold"))
+        _check.choice("interpolation", interpolation, ("linear", "hold"))
+        self.interpolation: Interpolation = interpolation
         if interpolation == "linear":
             check_slopes("values", self.times, self.values)
 
@@ -47,10 +48,15 @@ class InputTable:
         return self.values[before] + part * (self.values[after] - self.values[before])
 
 
-def constant_inputs(inputs: ArrayLike | None, n: int) -> Array:
-    """Inputs that stay the same: zero when none are given."""
-    if inputs is None:
-        return np.zeros(n)
+def checked_inputs(inputs: ArrayLike | InputTable | None, n: int) -> tuple[Array, InputTable | None]:
+    """Constant inputs (n,), zero when none are given, and the table where one was."""
     if isinstance(inputs, InputTable):
-        raise InputError("inputs: a table stands where constants are wanted")
-    return _check.vector("inputs", inputs, n)
+        if inputs.values.shape[1] != n:
+            raise InputError(f"inputs: the table has {inputs.values.shape[1]} columns; the model has {n}")
+        return np.zeros(n), inputs
+    return np.zeros(n) if inputs is None else _check.vector("inputs", inputs, n), None
+
+
+def core_table(table: InputTable) -> tuple[Array, Array, bool]:
+    """The table as the core takes it: times, columns, whether rows are held."""
+    return table.times, np.ascontiguousarray(table.values.T), table.interpolation == "hold"

@@ -3,13 +3,19 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Literal
+from typing import Literal, get_args
 
 from freebody._check import Array
 
-__all__ = ["ChartChange", "Conserved", "Outcome"]
+__all__ = ["GOOD_ENDS", "OUTCOMES", "ChartChange", "Conserved", "Outcome"]
 
-Status = Literal["reached_end", "step_too_small", "step_limit", "non_finite"]
+Status = Literal["reached_end", "event", "step_too_small", "step_limit", "non_finite", "step_too_large"]
+
+OUTCOMES: tuple[str, ...] = (*get_args(Status), "not_run")
+"""How a run can end, by the codes of ensembles; the last one stands for what is not done yet."""
+
+GOOD_ENDS = OUTCOMES[:2]
+"""Those of runs that reached their end, or an event that ends them: the first ones."""
 
 
 @dataclass(frozen=True)
@@ -19,7 +25,8 @@ class Outcome:
     Attributes
     ----------
     status
-        "reached_end"; "step_too_small": no step meets the tolerance; "step_limit": max_steps were done;
+        "reached_end"; "event": a terminal event came to pass; "step_too_small": no step meets the tolerance;
+        "step_too_large": the iteration of gauss6 does not converge; "step_limit": max_steps were done;
         "non_finite": the derivative is not a number.
     time, state
         The last ones that the run reached.
@@ -27,6 +34,8 @@ class Outcome:
         The same in a sentence, with what to change.
     force
         The name of the force or the control law that was not finite, if one was.
+    event
+        The name of the event that ended the run, if one did.
     """
 
     status: Status
@@ -34,11 +43,12 @@ class Outcome:
     state: Array
     message: str
     force: str | None = None
+    event: str | None = None
 
     @property
     def ok(self) -> bool:
-        """Whether the run reached its end."""
-        return self.status == "reached_end"
+        """Whether the run reached its end, or an event that ends it."""
+        return self.status in GOOD_ENDS
 
 
 @dataclass(frozen=True)

@@ -14,6 +14,7 @@ from freebody._check import Array
 from freebody.errors import InputError
 from freebody.simulation.conservation import conserved
 from freebody.simulation.outcome import ChartChange, Conserved, Outcome
+from freebody.simulation.watching import Occurrence
 
 if TYPE_CHECKING:
     import xarray
@@ -37,6 +38,10 @@ class Trajectory:
         How the run ended.
     chart_changes
         When a run in angles went on in another chart, and when it came back.
+    events
+        The events that came to pass, in the order of their times.
+    outputs, output_units
+        The outputs and their units by name.
     steps, rejected_steps, evaluations
         What the integration took.
     wall_time
@@ -51,16 +56,20 @@ class Trajectory:
         chart_changes: tuple[ChartChange, ...],
         counts: tuple[int, int, int],
         wall_time: float,
+        events: tuple[Occurrence, ...] = (),
+        outputs: tuple[Mapping[str, float], Mapping[str, str]] = ({}, {}),
     ) -> None:
         self.model = model
         self.t, self.x, self.u = samples
         self.outcome, self.chart_changes = outcome, chart_changes
         self.steps, self.rejected_steps, self.evaluations = counts
         self.wall_time = wall_time
+        self.events = events
+        self.outputs, self.output_units = outputs
 
     @property
     def ok(self) -> bool:
-        """Whether the run reached its end."""
+        """Whether the run reached its end, or an event that ends it."""
         return self.outcome.ok
 
     @property

@@ -35,13 +35,18 @@ Finish: TypeAlias = Callable[[Any], Output]
 
 
 class Law:
-    """What force laws and control laws share. See `force` and `control`."""
+    """What the laws share. See `force`, `control`, `event` and `output`."""
 
     name: str
     inputs: tuple[Quantity, ...]
     states: tuple[StateQuantity, ...]
     _parameters: tuple[Parameter, ...]
     _program: _core.Program
+
+    @property
+    def program(self) -> _core.Program:
+        """What it computes, of the core."""
+        return self._program
 
     @property
     def parameters(self) -> Mapping[str, float]:

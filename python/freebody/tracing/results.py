@@ -10,13 +10,13 @@ import numpy as np
 from freebody import _check
 from freebody.forces import StateQuantity
 from freebody.tracing.array import plain
-from freebody.tracing.scalar import Scalar, as_scalar
+from freebody.tracing.scalar import Condition, Scalar, as_scalar
 from freebody.tracing.situation import did_you_mean
 from freebody.tracing.trace import fault
 from freebody.tracing.wrench import must_measure
 from freebody.units import dimension, over_time
 
-__all__ = ["one_number", "rates", "split"]
+__all__ = ["one_number", "rates", "sole_number", "split"]
 
 
 def split(returned: Any, states: tuple[StateQuantity, ...], what: str) -> tuple[Any, Any]:
@@ -58,3 +58,12 @@ def one_number(what: str, value: Any) -> Scalar:
     if np.shape(held) != ():
         raise fault(f"{what} came with shape {np.shape(held)}", "give one number")
     return as_scalar(value)
+
+
+def sole_number(returned: Any, remedy: str) -> Scalar:
+    """The one number that a law returned."""
+    if isinstance(returned, Condition):
+        raise fault("returned a condition", remedy)
+    if returned is None or isinstance(returned, Mapping) or np.shape(plain(returned)) != ():
+        raise fault(f"returned {_check.shown(returned)}", remedy)
+    return as_scalar(returned)

@@ -5,9 +5,8 @@ from __future__ import annotations
 from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
-Array = NDArray[np.float64]
+from freebody._check import Array
 
 # Both sides are sums of some hundred products; the worst body and chart drawn amplify their rounding, 1e-16
 # each, by less than 1e3. A wrong sign or a missing term is of order one.

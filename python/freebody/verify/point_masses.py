@@ -11,11 +11,9 @@ from dataclasses import dataclass
 from functools import cached_property
 
 import numpy as np
-from numpy.typing import NDArray
 
+from freebody._check import Array
 from freebody.body import RigidBody
-
-Array = NDArray[np.float64]
 
 # Distance kept from the singular second angle, rad: a residual is to show the form, not the chart.
 _MARGIN = 0.45

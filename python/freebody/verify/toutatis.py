@@ -13,16 +13,14 @@ from decimal import Decimal
 from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
 from freebody import forms
+from freebody._check import Array
 from freebody.model_file import load_model, shipped_model
 
 from .residual import Residual
 
 __all__ = ["cases", "differences"]
-
-Array = NDArray[np.float64]
 
 # Principia states each difference to one unit of its last printed digit.
 ALLOWED = 1.0

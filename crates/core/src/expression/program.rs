@@ -83,6 +83,11 @@ impl Program {
         self.main.given
     }
 
+    /// Whether a result depends on given number `i`.
+    pub fn reads(&self, i: usize) -> bool {
+        self.main.reads(i)
+    }
+
     /// How many results it has.
     pub fn output_count(&self) -> usize {
         self.main.results.len()

@@ -138,6 +138,17 @@ impl Tape {
         instructions.next().is_none() && values == usize::from(self.values) && results
     }
 
+    /// Whether an instruction or a result is value `i`.
+    pub fn reads(&self, i: usize) -> bool {
+        let is = |number: &u16| usize::from(*number) == i;
+        let mut instructions = self.instructions.iter();
+        let worked_on = self.runs.iter().any(|(code, count)| {
+            let mut run = instructions.by_ref().take(*count);
+            run.any(|operands| operands[..code.arity()].iter().any(is))
+        });
+        worked_on || self.results.iter().any(is)
+    }
+
     /// Writes the results for the given numbers.
     #[inline(always)]
     pub fn run<T: Real>(&self, constants: &[T], tables: &Tables, given: &[T], out: &mut [T]) {

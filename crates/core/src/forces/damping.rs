@@ -39,7 +39,7 @@ impl<T: Real> Coefficients<T> {
 
 /// The product of two vectors component by component.
 #[inline(always)]
-fn times<T: Real>(a: Vec3<T>, b: Vec3<T>) -> Vec3<T> {
+pub(super) fn times<T: Real>(a: Vec3<T>, b: Vec3<T>) -> Vec3<T> {
     Vec3::new(a.x * b.x, a.y * b.y, a.z * b.z)
 }
 

@@ -3,20 +3,25 @@
 //! One element a file. Parameters are scalars of the kernel, so that they may differ per lane,
 //! carry derivatives or be symbols.
 
+mod acting;
 mod damping;
 mod gravity;
 mod input;
 mod point_mass;
 mod tabulated;
 mod traced;
+mod usual;
 mod wrench;
 
+pub use acting::Acting;
+pub(crate) use acting::total;
 pub use damping::{Coefficients, LinearDamping, QuadraticDamping};
 pub use gravity::UniformGravity;
 pub use input::InputWrench;
 pub use point_mass::PointMassGravity;
 pub use tabulated::TabulatedWrench;
 pub use traced::{Callback, Places, Traced};
+pub use usual::Usual;
 pub use wrench::{Axes, ConstantWrench};
 
 use crate::algebra::{Mat3, Vec3};
@@ -134,6 +139,15 @@ impl<T: Real> Force<T> {
             Force::Traced(f) => f.places.inputs_end(),
             Force::Callback(f) => f.places.inputs_end(),
             _ => 0,
+        }
+    }
+
+    /// Whether the wrench, or the rates of the element's states, depend on the position.
+    pub fn reads_position(&self) -> bool {
+        match self {
+            Force::PointMassGravity(_) | Force::Callback(_) => true,
+            Force::Traced(f) => f.reads_position(),
+            _ => false,
         }
     }
 

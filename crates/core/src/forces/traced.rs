@@ -23,6 +23,9 @@ impl Places {
     /// mass centre 3.
     pub const MOTION: usize = 23;
 
+    /// Where the position is among them.
+    const POSITION: Range<usize> = 1..4;
+
     /// How many inputs and states a law can have.
     pub const ROOM: usize = Values::<f64>::ROOM - Self::MOTION;
 
@@ -104,9 +107,19 @@ impl<T: Real> Traced<T> {
         Self { program, parameters, prepared, places }
     }
 
+    /// The values of its parameters.
+    pub fn parameters(&self) -> &[T] {
+        &self.parameters
+    }
+
     /// How many numbers come before the rates of the states: six of a force, the commands of a control law.
     pub fn result_count(&self) -> usize {
         self.program.output_count() - self.places.states.len()
+    }
+
+    /// Whether the law depends on the position.
+    pub fn reads_position(&self) -> bool {
+        Places::POSITION.clone().any(|i| self.program.reads(i))
     }
 
     /// Everything that the law computes; the rates of its states are written to their places among all of them.
@@ -133,6 +146,14 @@ impl<T: Real> Traced<T> {
         for (k, command) in commands.iter_mut().enumerate() {
             *command = self.program.result(&values, k);
         }
+    }
+
+    /// The one result of a law without states.
+    #[inline(always)]
+    pub fn value(&self, s: &Situation<'_, T>) -> T {
+        let mut values = Values::empty();
+        self.run(s, &mut values, &mut []);
+        self.program.result(&values, 0)
     }
 
     /// The wrench about the mass centre; the rates of its states are written.

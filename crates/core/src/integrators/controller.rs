@@ -43,11 +43,13 @@ impl Tolerance {
         let (mut largest, mut poison) = (T::zero(), T::zero());
         for block in blocks {
             let weight = self.weight(block, y0, y1);
-            let [high, low] = rows.map(
-                #[inline(always)]
-                |row| weight * squared_length(&row[block.start..block.start + block.len]),
-            );
-            let error = if M::ERROR.len() == 2 {
+            let range = block.start..block.start + block.len;
+            // Written out: a map over the array is not always inlined.
+            let high = weight * squared_length(&rows[0][range.clone()]);
+            let low = weight * squared_length(&rows[1][range]);
+            let error = if M::LARGER_ERROR {
+                high.max(low)
+            } else if M::ERROR.len() == 2 {
                 let steadied = T::lit(0.01).fma(low, high).max(T::lit(f64::MIN_POSITIVE));
                 high * high / steadied
             } else {

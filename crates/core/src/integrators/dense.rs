@@ -2,7 +2,7 @@
 //!
 //! Over the step, with x from 0 to 1, it is the polynomial of Hairer, Nørsett & Wanner, II.6:
 //! `y0 + x (r0 + (1 - x) (r1 + x (r2 + (1 - x) (r3 + ...))))`. The first three terms fit the values and
-//! derivatives at both ends, the rest are weighted sums of the stages. Since `r0` is the difference of
+//! derivatives at both ends, unless the method has its own; the rest are weighted sums of the stages. Since `r0` is the difference of
 //! the ends, it meets a projected end too.
 
 use super::sums::{advance, change};
@@ -45,8 +45,14 @@ impl<T: Lane, M: Method> Stepper<T, M> {
         for i in 0..n {
             let change = self.trial.y[i] - self.y[i];
             r0[i] = change;
-            r1[i] = h * f0[i] - change;
-            r2[i] = change + change - h * (f0[i] + f1[i]);
+            if M::DENSE_CUBIC.is_none() {
+                r1[i] = h * f0[i] - change;
+                r2[i] = change + change - h * (f0[i] + f1[i]);
+            }
+        }
+        if let Some([second, third]) = M::DENSE_CUBIC {
+            change(second, h, &self.k, r1);
+            change(third, h, &self.k, r2);
         }
         for (row, term) in M::DENSE.iter().zip(rest.chunks_exact_mut(n)) {
             change(row, h, &self.k, term);
@@ -62,20 +68,6 @@ impl<T: Lane, M: Method> Stepper<T, M> {
                 let x = (t - self.t) / self.trial.h;
                 for (i, out) in out.iter_mut().enumerate() {
                     *out = self.component_at(x, i);
-                }
-            },
-        );
-    }
-
-    /// The state of lane `l` inside the trial step.
-    #[inline(always)]
-    pub fn interpolate_lane(&self, l: usize, t: f64, out: &mut [f64]) {
-        T::call(
-            #[inline(always)]
-            || {
-                let x = (T::lit(t) - self.t) / self.trial.h;
-                for (i, out) in out.iter_mut().enumerate() {
-                    *out = self.component_at(x, i).get(l);
                 }
             },
         );

@@ -35,6 +35,16 @@ impl Lanes {
     pub fn with(self, other: Self) -> Self {
         Self(self.0 | other.0)
     }
+    /// The lanes that are in both sets.
+    #[inline(always)]
+    pub fn and(self, other: Self) -> Self {
+        Self(self.0 & other.0)
+    }
+    /// The lanes of this set that are not in the other.
+    #[inline(always)]
+    pub fn without(self, other: Self) -> Self {
+        Self(self.0 & !other.0)
+    }
     /// The lanes of the set in rising order.
     #[inline(always)]
     pub fn iter(self) -> impl Iterator<Item = usize> {
@@ -42,7 +52,7 @@ impl Lanes {
     }
     /// The lanes where `a <= b`.
     #[inline(always)]
-    pub(super) fn where_le<T: Lane>(a: T, b: T) -> Self {
+    pub fn where_le<T: Lane>(a: T, b: T) -> Self {
         let mut bits = 0;
         let mut l = 0;
         while l < T::N {
@@ -53,7 +63,7 @@ impl Lanes {
     }
     /// `x` in the lanes of the set, `y` in the others.
     #[inline(always)]
-    pub(super) fn select<T: Lane>(self, x: T, y: T) -> T {
+    pub fn select<T: Lane>(self, x: T, y: T) -> T {
         let inside = T::from_lanes(
             #[inline(always)]
             |l| f64::from(self.0 >> l & 1),

@@ -1,4 +1,4 @@
-//! Explicit Runge-Kutta integration of ordinary differential equations over lanes.
+//! Integration of ordinary differential equations over lanes, by methods of Runge-Kutta kind.
 //!
 //! Every lane of a [`Stepper`] is a trajectory with its own time, step size and acceptance; what a lane
 //! computes does not depend, to the last bit, on what its neighbours do. The caller drives:
@@ -6,13 +6,19 @@
 //! inside it, [`Stepper::commit`] accepts or rejects it; after that, and before the next attempt, lanes may
 //! be started and restarted. Nothing here knows of bodies.
 
+mod collocation;
 mod controller;
 mod dense;
 mod dop853;
 mod dp54;
+mod gauss6;
+mod jacobian;
 mod lanes;
+mod lu;
 mod method;
 mod rk4;
+mod rodas5p;
+mod rosenbrock;
 mod start;
 mod step;
 mod stepper;
@@ -20,11 +26,16 @@ mod sums;
 #[cfg(test)]
 mod tests;
 
+use crate::scalar::Lane;
 pub use dop853::Dop853;
 pub use dp54::Dp54;
+pub use gauss6::Gauss6;
+pub use jacobian::differentiate;
 pub use lanes::Lanes;
-pub use method::{Method, Row, Stage};
+pub use method::{Iterated, Linear, Method, Row, Solve, Stage};
 pub use rk4::Rk4;
+pub use rodas5p::Rodas5P;
+pub(crate) use stepper::write_lane;
 pub use stepper::{Stepper, Trial, Verdict};
 
 /// A system of ordinary differential equations `dy/dt = f(t, y)`.
@@ -35,6 +46,28 @@ pub trait System<T> {
     ///
     /// Implementations outline their body through [`crate::scalar::Real::call`].
     fn derivative(&self, t: T, y: &[T], dy: &mut [T]);
+    /// Writes `∂f/∂t` to `by_time` and `∂f/∂y` to `by_state`, by rows; only methods with [`Solve::Linear`] ask.
+    ///
+    /// Without an implementation they are not numbers, and such a method takes no step.
+    ///
+    /// Implementations outline their body, as that of the derivative; see [`differentiate`].
+    fn jacobian(&self, _t: T, _y: &[T], by_time: &mut [T], by_state: &mut [T])
+    where
+        T: Lane,
+    {
+        T::call(
+            #[inline(always)]
+            || {
+                by_time.fill(T::lit(f64::NAN));
+                by_state.fill(T::lit(f64::NAN));
+            },
+        );
+    }
+    /// The first component that [`System::derivative`] reads: those before it are quadratures.
+    #[inline(always)]
+    fn first_read(&self) -> usize {
+        0
+    }
     /// Puts the end of a step back on the manifold where it belongs, a unit quaternion for one.
     ///
     /// The correction must be of the size of the local error: it is not in the error estimate.

@@ -2,7 +2,7 @@
 
 use super::controller::{GROW, power};
 use super::sums::{advance, squared_length, stride};
-use super::{Lanes, Method, Stepper, System};
+use super::{Lanes, Method, Solve, Stepper, System, collocation};
 use crate::scalar::Lane;
 
 impl<T: Lane, M: Method> Stepper<T, M> {
@@ -81,7 +81,13 @@ impl<T: Lane, M: Method> Stepper<T, M> {
         let stride = stride::<T>(size);
         let vectors =
             [(&mut self.y, 1), (&mut self.trial.y, 1), (&mut self.k, stages), (&mut self.scratch, 2)];
-        for (vector, count) in vectors.into_iter().chain([(&mut self.dense, 3 + M::DENSE.len())]) {
+        let memory = match M::SOLVE {
+            Solve::Explicit => 0,
+            Solve::Iterated(_) => collocation::memory(M::STAGES.len() - 1),
+            Solve::Linear(_) => 1,
+        };
+        let more = [(&mut self.dense, 3 + M::DENSE.len()), (&mut self.memory, memory)];
+        for (vector, count) in vectors.into_iter().chain(more) {
             *vector = vec![T::zero(); count * stride];
         }
     }
@@ -95,6 +101,9 @@ impl<T: Lane, M: Method> Stepper<T, M> {
         self.evaluations += 1;
         for (k, f) in self.k.iter_mut().zip(f) {
             *k = lanes.select(*f, *k);
+        }
+        if let Solve::Iterated(method) = &M::SOLVE {
+            self.forget_stages(lanes, method);
         }
     }
 

@@ -2,8 +2,8 @@
 
 use super::controller::{GROW, HUGE, step_factor};
 use super::stepper::TrialStep;
-use super::sums::{advance, change};
-use super::{Lanes, Method, Stepper, System, Trial, Verdict};
+use super::sums::{advance, advance_from, change};
+use super::{Lanes, Method, Solve, Stepper, System, Trial, Verdict};
 use crate::scalar::Lane;
 
 impl<T: Lane, M: Method> Stepper<T, M> {
@@ -25,8 +25,8 @@ impl<T: Lane, M: Method> Stepper<T, M> {
     #[inline(always)]
     fn attempt_inline<S: System<T> + ?Sized>(&mut self, system: &S, limit: T) -> Trial {
         let active = self.choose_step(limit);
-        self.stages(system);
-        let raw = self.trial_error(system);
+        let left = self.stages(system);
+        let raw = self.trial_error(system, left);
         // Not finite is not smaller than anything.
         let error = T::select_le(raw, T::lit(HUGE), raw, T::lit(HUGE));
         self.trial.squared_error = T::select_le(T::one(), active, error, T::lit(HUGE));
@@ -46,14 +46,14 @@ impl<T: Lane, M: Method> Stepper<T, M> {
                 } else if active.get(l) == 0.0 {
                     Verdict::StepTooSmall
                 } else if error.get(l) < HUGE {
-                    Verdict::Rejected
+                    if M::ERROR.is_empty() { Verdict::StepTooLarge } else { Verdict::Rejected }
                 } else if start_finite.contains(l) && !M::ERROR.is_empty() {
                     Verdict::Diverged
                 } else {
                     Verdict::NonFinite
                 };
                 self.verdicts[l] = verdict;
-                if matches!(verdict, Verdict::StepTooSmall | Verdict::NonFinite) {
+                if matches!(verdict, Verdict::StepTooSmall | Verdict::StepTooLarge | Verdict::NonFinite) {
                     stopped = stopped.with(Lanes::one(l));
                 }
             }
@@ -91,22 +91,38 @@ impl<T: Lane, M: Method> Stepper<T, M> {
         active
     }
 
+    /// The stages and the end of the trial step; gives the square of the error that an iteration has left over.
     #[inline(always)]
-    fn stages<S: System<T> + ?Sized>(&mut self, system: &S) {
+    fn stages<S: System<T> + ?Sized>(&mut self, system: &S) -> T {
+        let mut left = T::zero();
+        match &M::SOLVE {
+            Solve::Explicit => self.explicit_stages(system),
+            Solve::Iterated(method) => left = self.iterated_stages(system, method),
+            Solve::Linear(method) => self.linear_stages(system, method),
+        }
+        if !matches!(M::SOLVE, Solve::Iterated(_)) {
+            advance(M::WEIGHTS, self.trial.h, &self.y, &self.k, &mut self.trial.y);
+        }
+        system.project(&mut self.trial.y[..self.size]);
+        if M::FIRST_SAME_AS_LAST {
+            self.evaluate_end(system);
+        }
+        left
+    }
+
+    #[inline(always)]
+    fn explicit_stages<S: System<T> + ?Sized>(&mut self, system: &S) {
         let (n, stride) = (self.size, self.y.len());
         let TrialStep { h, t_before, .. } = self.trial;
+        // Whole tiles of single numbers are quicker than fewer numbers.
+        let first = if T::N > 1 { system.first_read() } else { 0 };
         for (s, stage) in M::STAGES.iter().enumerate().skip(1) {
-            advance(stage.a, h, &self.y, &self.k, &mut self.scratch[..stride]);
+            advance_from(stage.a, h, &self.y, &self.k, first, &mut self.scratch[..stride]);
             let time = if stage.c == 1.0 { t_before } else { T::lit(stage.c).fma(h, self.t) };
             let k = self.stage(s);
             system.derivative(time, &self.scratch[..n], &mut self.k[k]);
         }
         self.evaluations += M::STAGES.len() as u64 - 1;
-        advance(M::WEIGHTS, h, &self.y, &self.k, &mut self.trial.y);
-        system.project(&mut self.trial.y[..n]);
-        if M::FIRST_SAME_AS_LAST {
-            self.evaluate_end(system);
-        }
     }
 
     /// Where stage `s` lies in `k`.
@@ -116,9 +132,9 @@ impl<T: Lane, M: Method> Stepper<T, M> {
         start..start + self.size
     }
 
-    /// The derivative at the end of the trial step, once.
+    /// Evaluates the derivative at the end of the trial step, once: [`Stepper::trial_derivative`].
     #[inline(always)]
-    pub(super) fn evaluate_end<S: System<T> + ?Sized>(&mut self, system: &S) {
+    pub fn evaluate_end<S: System<T> + ?Sized>(&mut self, system: &S) {
         if self.trial.end_evaluated {
             return;
         }
@@ -128,12 +144,13 @@ impl<T: Lane, M: Method> Stepper<T, M> {
         self.evaluations += 1;
     }
 
-    /// The square of the error; not finite where the trial is not.
+    /// The square of the error, or what is `left` of it by a method of fixed step; not finite where the trial is not.
     #[inline(always)]
-    fn trial_error<S: System<T> + ?Sized>(&mut self, system: &S) -> T {
+    fn trial_error<S: System<T> + ?Sized>(&mut self, system: &S, left: T) -> T {
         let h = self.trial.h;
         if M::ERROR.is_empty() {
-            return not_finite(&self.trial.y);
+            // An iteration that came to no end leaves no number in particular.
+            return T::select_le(left, T::one(), not_finite(&self.trial.y) + left, left);
         }
         let (first, second) = self.scratch.split_at_mut(self.y.len());
         for (row, out) in M::ERROR.iter().zip([&mut *first, &mut *second]) {
@@ -176,6 +193,9 @@ impl<T: Lane, M: Method> Stepper<T, M> {
             return;
         }
         self.evaluate_end(system);
+        if let Solve::Iterated(method) = &M::SOLVE {
+            self.remember_stages(error, method);
+        }
         let n = self.y.len();
         self.t = T::select_le(error, one, self.trial.t, self.t);
         let (start, later) = self.k.split_at_mut(n);

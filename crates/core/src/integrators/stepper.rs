@@ -1,6 +1,7 @@
 //! The trajectories in the lanes, and what the caller sees of them.
 
 use super::controller::GROW;
+use super::lu::Lu;
 use super::{Lanes, Method, Tolerance};
 use crate::scalar::Lane;
 use std::marker::PhantomData;
@@ -18,6 +19,8 @@ pub enum Verdict {
     Diverged,
     /// The lane cannot go on: its step has shrunk to the rounding of its time.
     StepTooSmall,
+    /// The lane cannot go on: with a step of this fixed size the iteration for the stages does not come to an end.
+    StepTooLarge,
     /// The lane cannot go on: the derivative at its present state is not finite (or, with a method of
     /// fixed step, the trial is not).
     NonFinite,
@@ -50,6 +53,9 @@ pub struct Stepper<T, M> {
     pub(super) k: Vec<T>,
     pub(super) scratch: Vec<T>,
     pub(super) dense: Vec<T>,
+    /// What a method keeps from step to step, besides.
+    pub(super) memory: Vec<T>,
+    pub(super) lu: Lu<T>,
     pub(super) trial: TrialStep<T>,
     pub(super) accepted: T,
     pub(super) tried: T,
@@ -101,6 +107,8 @@ impl<T: Lane, M: Method> Stepper<T, M> {
                     k: Vec::new(),
                     scratch: Vec::new(),
                     dense: Vec::new(),
+                    memory: Vec::new(),
+                    lu: Lu::new(),
                     trial,
                     accepted: zero,
                     tried: zero,
@@ -137,12 +145,24 @@ impl<T: Lane, M: Method> Stepper<T, M> {
     pub fn trial_y(&self) -> &[T] {
         &self.trial.y[..self.size]
     }
+    /// The derivative at [`Stepper::trial_y`], after [`Stepper::evaluate_end`].
+    #[inline(always)]
+    pub fn trial_derivative(&self) -> &[T] {
+        &self.k[self.stage(M::STAGES.len())]
+    }
+    /// The lanes whose trial step ends at its limit: behind it the right-hand side may have jumped.
+    #[inline(always)]
+    pub fn trial_at_limit(&self) -> Lanes {
+        let gap = (self.trial.t - self.trial.t_before).abs();
+        Lanes::where_le(T::lit(f64::MIN_POSITIVE), gap)
+    }
     /// The size of the next step, before a limit cuts it; positive.
     #[inline(always)]
     pub fn step_size(&self) -> T {
         self.h
     }
-    /// The error of the trial step in units of the tolerance: accepted up to one.
+    /// The error of the trial step in units of the tolerance: accepted up to one; with a method of fixed step what
+    /// an iteration has left over.
     #[inline(always)]
     pub fn error(&self) -> T {
         self.trial.squared_error.sqrt()
@@ -157,12 +177,31 @@ impl<T: Lane, M: Method> Stepper<T, M> {
     pub fn rejected(&self) -> T {
         self.tried - self.accepted
     }
-    /// How many times the right-hand side was evaluated, each time in all lanes.
+    /// Writes the state of lane `l`; its time, its accepted and its rejected steps.
+    pub fn lane(&self, l: usize, state: &mut Vec<f64>) -> (f64, u64, u64) {
+        T::call(
+            #[inline(always)]
+            || {
+                write_lane(self.y(), l, state);
+                (self.t.get(l), self.accepted.get(l) as u64, self.rejected().get(l) as u64)
+            },
+        )
+    }
+    /// How many times the right-hand side was evaluated, each time in all lanes; not for Jacobians.
     pub fn evaluations(&self) -> u64 {
         self.evaluations
     }
     /// What became of lane `l` in the last trial step.
     pub fn verdict(&self, l: usize) -> Verdict {
         self.verdicts[l]
+    }
+}
+
+/// Writes one lane of a vector.
+#[inline(always)]
+pub(crate) fn write_lane<T: Lane>(y: &[T], l: usize, out: &mut Vec<f64>) {
+    out.clear();
+    for y in y {
+        out.push(y.get(l));
     }
 }

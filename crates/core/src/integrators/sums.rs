@@ -6,6 +6,8 @@ use crate::scalar::Lane;
 /// Components are worked on four at a time: enough independent chains to hide the latency of a fused
 /// product, few enough to stay in registers.
 const WIDTH: usize = 4;
+/// Lanes have registers for more.
+const WIDE: usize = 8;
 
 /// How many numbers a vector of `n` components takes.
 ///
@@ -39,48 +41,61 @@ fn weighted<T: Lane, const W: usize>(row: Row, k: &[T], n: usize, i: usize) -> [
     sum
 }
 
-/// `out = h Σ w_j k_j`, and `y` added to it if there is one.
+/// `h Σ w_j k_j` in `W` components from `i` on, and `y` added to it if there is one.
 #[inline(always)]
-fn combine<T: Lane>(row: Row, h: T, y: Option<&[T]>, k: &[T], out: &mut [T]) {
-    #[inline(always)]
-    fn piece<T: Lane, const W: usize>(h: T, mut sum: [T; W], y: Option<&[T]>, i: usize) -> [T; W] {
-        match y {
-            Some(y) => {
-                for (s, y) in sum.iter_mut().zip(tile::<T, W>(y, i)) {
-                    *s = h.fma(*s, y);
-                }
-            }
-            None => {
-                for s in &mut sum {
-                    *s = h * *s;
-                }
+fn piece<T: Lane, const W: usize>(row: Row, h: T, y: Option<&[T]>, k: &[T], n: usize, i: usize) -> [T; W] {
+    let mut sum = weighted::<T, W>(row, k, n, i);
+    match y {
+        Some(y) => {
+            for (s, y) in sum.iter_mut().zip(tile::<T, W>(y, i)) {
+                *s = h.fma(*s, y);
             }
         }
-        sum
+        None => {
+            for s in &mut sum {
+                *s = h * *s;
+            }
+        }
     }
+    sum
+}
+
+/// `out = h Σ w_j k_j` in the components from `first` on, and `y` added to it if there is one.
+#[inline(always)]
+fn combine<T: Lane>(row: Row, h: T, y: Option<&[T]>, k: &[T], first: usize, out: &mut [T]) {
     let n = out.len();
-    let (tiles, rest) = out.as_chunks_mut::<WIDTH>();
-    let done = tiles.len() * WIDTH;
-    for (c, out) in tiles.iter_mut().enumerate() {
-        let i = c * WIDTH;
-        *out = piece(h, weighted::<T, WIDTH>(row, k, n, i), y, i);
+    let mut i = first;
+    // The wider the tile, the less of the time goes into finding the stages.
+    while T::N > 1 && i + WIDE <= n {
+        out[i..i + WIDE].copy_from_slice(&piece::<T, WIDE>(row, h, y, k, n, i));
+        i += WIDE;
     }
-    for (r, out) in rest.iter_mut().enumerate() {
-        let i = done + r;
-        [*out] = piece(h, weighted::<T, 1>(row, k, n, i), y, i);
+    while i + WIDTH <= n {
+        out[i..i + WIDTH].copy_from_slice(&piece::<T, WIDTH>(row, h, y, k, n, i));
+        i += WIDTH;
     }
+    while i < n {
+        [out[i]] = piece::<T, 1>(row, h, y, k, n, i);
+        i += 1;
+    }
+}
+
+/// `out = y + h Σ w_j k_j` in the components from `first` on.
+#[inline(always)]
+pub(super) fn advance_from<T: Lane>(row: Row, h: T, y: &[T], k: &[T], first: usize, out: &mut [T]) {
+    combine(row, h, Some(y), k, first, out);
 }
 
 /// `out = y + h Σ w_j k_j`.
 #[inline(always)]
 pub(super) fn advance<T: Lane>(row: Row, h: T, y: &[T], k: &[T], out: &mut [T]) {
-    combine(row, h, Some(y), k, out);
+    combine(row, h, Some(y), k, 0, out);
 }
 
 /// `out = h Σ w_j k_j`.
 #[inline(always)]
 pub(super) fn change<T: Lane>(row: Row, h: T, k: &[T], out: &mut [T]) {
-    combine(row, h, None, k, out);
+    combine(row, h, None, k, 0, out);
 }
 
 /// `|x|²`.

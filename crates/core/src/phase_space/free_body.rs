@@ -4,10 +4,10 @@ use super::Dynamics;
 use super::laws::{command, elsewhere};
 use super::orientation::{Orientation, quaternion_of};
 use super::parts::{Parts, Sizes, convert};
-use crate::algebra::{Vec3, normalized};
+use crate::algebra::{Mat3, Vec3, normalized};
 use crate::buffer::Buffer;
 use crate::charts::{Sequence, angular_velocity, quaternion_rate};
-use crate::forces::{Force, Situation, Traced};
+use crate::forces::{Acting, Force, Situation, Traced, total};
 use crate::generalized::origin_acceleration;
 use crate::inertia::Inertia;
 use crate::integrators::{Block as ErrorBlock, ErrorScale};
@@ -58,8 +58,8 @@ pub struct FreeBody<T> {
     pub chart: Chart,
     /// The kind of velocity.
     pub form: Form,
-    /// All traced forces as one: where it is, it runs instead of them.
-    pub law: Option<Traced<T>>,
+    /// The forces made ready: where this is, it acts instead of them.
+    pub acting: Option<Acting<T>>,
     /// What commands the inputs behind those of u.
     pub control: Option<Traced<T>>,
     /// f compiled elsewhere, of (t, x, u): in the chart above, and in quaternions.
@@ -69,26 +69,29 @@ pub struct FreeBody<T> {
 impl<T: Real> FreeBody<T> {
     /// Without control.
     pub fn new(inertia: Inertia<T>, forces: Vec<Force<T>>, chart: Chart, form: Form) -> Self {
-        Self { inertia, forces, chart, form, law: None, control: None, compiled: None }
+        Self { inertia, forces, chart, form, acting: None, control: None, compiled: None }
+    }
+
+    /// All traced forces as one, if they are.
+    #[inline(always)]
+    fn law(&self) -> Option<&Traced<T>> {
+        self.acting.as_ref().and_then(
+            #[inline(always)]
+            |acting| acting.law.as_ref(),
+        )
     }
 
     /// Whether laws of users act or command.
     #[inline(always)]
     pub(crate) fn has_laws(&self) -> bool {
-        self.law.is_some() || self.control.is_some()
-    }
-
-    /// Whether the one law stands for a force.
-    #[inline(always)]
-    fn is_joined(&self, force: &Force<T>) -> bool {
-        self.law.is_some() && matches!(force, Force::Traced(_))
+        self.law().is_some() || self.control.is_some()
     }
 
     /// The sum of all wrenches, in body axes about the mass centre; the rates of the auxiliary states are written.
     #[inline(always)]
     fn wrench<const LAWS: bool>(&self, s: Situation<'_, T>, rates: &mut [T]) -> Screw<T> {
         if !LAWS {
-            return self.sum::<LAWS>(&s, rates);
+            return self.sum(&s, rates);
         }
         let commands = self.control.as_ref().map_or(0, Traced::result_count);
         let mut all = Buffer::<T, ON_STACK>::new(s.inputs.len() + commands);
@@ -99,8 +102,8 @@ impl<T: Real> FreeBody<T> {
             }
             None => s,
         };
-        let sum = self.sum::<LAWS>(&s, rates);
-        match &self.law {
+        let sum = self.sum(&s, rates);
+        match self.law() {
             Some(law) => sum + law.about_com(&s, rates),
             None => sum,
         }
@@ -108,15 +111,11 @@ impl<T: Real> FreeBody<T> {
 
     /// The sum over all forces that the one law does not stand for.
     #[inline(always)]
-    fn sum<const LAWS: bool>(&self, s: &Situation<'_, T>, rates: &mut [T]) -> Screw<T> {
-        let mut sum = Screw::zero();
-        for f in &self.forces {
-            if LAWS && self.is_joined(f) {
-                continue;
-            }
-            sum = sum + f.about_com(s, rates);
+    fn sum(&self, s: &Situation<'_, T>, rates: &mut [T]) -> Screw<T> {
+        match &self.acting {
+            Some(acting) => acting.about_com(s, rates),
+            None => total(&self.forces, s, rates),
         }
-        sum
     }
 
     /// How many numbers of a state are the rigid body's; behind them are the auxiliary ones.
@@ -136,6 +135,18 @@ impl<T: Real> FreeBody<T> {
         Sizes { orientation, turning }
     }
 
+    /// The quasi-velocities of a state, of either form.
+    #[inline(always)]
+    pub(super) fn twist(&self, at: &Orientation<T>, rotation: Mat3<T>, x: Parts<&[T]>) -> Screw<T> {
+        let velocity = Vec3::from_slice(x.velocity);
+        match self.form {
+            Form::QuasiVelocity => Screw::new(velocity, Vec3::from_slice(x.turning)),
+            Form::Generalized => {
+                Screw::new(rotation.transpose_apply(velocity), at.angular_velocity(x.turning))
+            }
+        }
+    }
+
     /// dx = f(x, u, t), part by part; with `LAWS` where there are any. Konoplev (3.2)
     ///
     /// With laws it is code of its own: within one, what they are given would be made ready for all bodies.
@@ -144,13 +155,7 @@ impl<T: Real> FreeBody<T> {
         // Where the body is and how it moves, out of any chart and form ...
         let at = Orientation::read(self.chart, x.orientation);
         let rotation = at.rotation();
-        let velocity = Vec3::from_slice(x.velocity);
-        let twist = match self.form {
-            Form::QuasiVelocity => Screw::new(velocity, Vec3::from_slice(x.turning)),
-            Form::Generalized => {
-                Screw::new(rotation.transpose_apply(velocity), at.angular_velocity(x.turning))
-            }
-        };
+        let twist = self.twist(&at, rotation, x);
         // ... the equation itself ...
         let position = Vec3::from_slice(x.position);
         let (inertia, states) = (&self.inertia, x.auxiliary);
@@ -168,7 +173,7 @@ impl<T: Real> FreeBody<T> {
                 rate.angular.store(dx.turning);
             }
             Form::Generalized => {
-                velocity.store(dx.position);
+                Vec3::from_slice(x.velocity).store(dx.position);
                 convert(x.turning, dx.orientation, identity);
                 origin_acceleration(rotation, twist, rate).store(dx.velocity);
                 at.write_second_rates(twist.angular, rate.angular, x.turning, dx.turning);
@@ -182,33 +187,32 @@ impl<T: Real> FreeBody<T> {
     #[inline(always)]
     pub fn map<U: Real>(&self, f: &mut impl FnMut(T) -> U) -> FreeBody<U> {
         let inertia = self.inertia.map(f);
-        let mut forces = Vec::with_capacity(self.forces.len());
-        for force in &self.forces {
-            if self.is_joined(force) {
-                continue;
-            }
-            forces.push(force.map(f));
-        }
-        let law = self.law.as_ref().map(
+        let acting = self.acting.as_ref().map(
             #[inline(always)]
-            |law| law.map(f),
+            |acting| acting.map(f, &inertia),
         );
+        let mut forces = Vec::new();
+        if acting.is_none() {
+            for force in &self.forces {
+                forces.push(force.map(f));
+            }
+        }
         let control = self.control.as_ref().map(
             #[inline(always)]
             |law| law.map(f),
         );
-        FreeBody { inertia, forces, chart: self.chart, form: self.form, law, control, compiled: None }
+        FreeBody { inertia, forces, chart: self.chart, form: self.form, acting, control, compiled: None }
     }
 }
 
 impl<T: Real> Dynamics<T> for FreeBody<T> {
     #[inline(always)]
     fn state_size(&self) -> usize {
-        let mut n = 0;
-        for f in &self.forces {
-            n = n.max(f.states().end);
-        }
-        for law in [&self.law, &self.control].into_iter().flatten() {
+        let mut n = match &self.acting {
+            Some(acting) => acting.states_end(),
+            None => self.forces.iter().map(|f| f.states().end).max().unwrap_or(0),
+        };
+        if let Some(law) = &self.control {
             n = n.max(law.places.states.end);
         }
         self.rigid_size() + n
@@ -216,13 +220,10 @@ impl<T: Real> Dynamics<T> for FreeBody<T> {
 
     #[inline(always)]
     fn input_size(&self) -> usize {
-        let mut n = 0;
-        for f in &self.forces {
-            n = n.max(f.inputs_end());
-        }
-        if let Some(law) = &self.law {
-            n = n.max(law.places.inputs_end());
-        }
+        let n = match &self.acting {
+            Some(acting) => acting.inputs_end(),
+            None => self.forces.iter().map(Force::inputs_end).max().unwrap_or(0),
+        };
         match &self.control {
             Some(law) => law.places.inputs_end().max(n.saturating_sub(law.result_count())),
             None => n,

@@ -1,8 +1,11 @@
 //! The control law among the forces, and derivatives that were compiled elsewhere.
 
+use super::orientation::Orientation;
+use super::parts::Parts;
 use super::{FreeBody, RigidState};
+use crate::algebra::Vec3;
 use crate::buffer::Buffer;
-use crate::forces::{Situation, Traced};
+use crate::forces::{Force, Situation, Traced};
 use crate::scalar::{Block, Real};
 use crate::screw::Screw;
 
@@ -36,7 +39,45 @@ pub fn elsewhere<T: Real>(block: &dyn Block, t: T, x: &[T], u: &[T], dx: &mut [T
     )
 }
 
+impl<T: Real> FreeBody<T> {
+    /// What laws see in a state x of any chart and form.
+    ///
+    /// `inputs` hold u and room for what the control law commands, which is written; `rates` is room for those of the
+    /// auxiliary states.
+    #[inline(always)]
+    pub fn sight<'a>(&'a self, t: T, x: &'a [T], inputs: &'a mut [T], rates: &mut [T]) -> Situation<'a, T> {
+        let x = Parts::of(x, self.sizes());
+        let at = Orientation::read(self.chart, x.orientation);
+        let rotation = at.rotation();
+        let (position, twist) = (Vec3::from_slice(x.position), self.twist(&at, rotation, x));
+        let (inertia, states) = (&self.inertia, x.auxiliary);
+        if let Some(law) = &self.control {
+            let (u, commands) = inputs.split_at_mut(inputs.len() - law.result_count());
+            let before = Situation { time: t, position, rotation, twist, inertia, inputs: u, states };
+            law.command(&before, commands, rates);
+        }
+        Situation { time: t, position, rotation, twist, inertia, inputs, states }
+    }
+
+    /// The body and its control law without forces over another scalar, for who only looks at it.
+    #[inline(always)]
+    pub fn map_without_forces<U: Real>(&self, f: &mut impl FnMut(T) -> U) -> FreeBody<U> {
+        let inertia = self.inertia.map(f);
+        let control = self.control.as_ref().map(
+            #[inline(always)]
+            |law| law.map(f),
+        );
+        FreeBody { control, ..FreeBody::new(inertia, Vec::new(), self.chart, self.form) }
+    }
+}
+
 impl FreeBody<f64> {
+    /// Whether a force or a law depends on the position; for what was compiled nobody knows.
+    pub fn reads_position(&self) -> bool {
+        let by_force = self.forces.iter().any(Force::reads_position);
+        by_force || self.compiled.is_some() || self.control.as_ref().is_some_and(Traced::reads_position)
+    }
+
     /// What the forces see in a motion.
     pub(super) fn situation<'a>(
         &'a self,

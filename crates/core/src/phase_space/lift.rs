@@ -1,7 +1,7 @@
-//! A body made ready to run: with one law for all traced forces, over another scalar, in another chart.
+//! A body made ready to run: with its forces in one piece, over another scalar, in another chart.
 
 use super::{Chart, FreeBody};
-use crate::forces::{Force, Traced};
+use crate::forces::Acting;
 use crate::scalar::Real;
 
 impl FreeBody<f64> {
@@ -15,16 +15,10 @@ impl FreeBody<f64> {
         lifted
     }
 
-    /// The same model with one law for all traced forces: to be made once, before it is lifted.
-    pub fn with_one_law(self) -> Self {
-        let mut laws = Vec::new();
-        for force in &self.forces {
-            if let Force::Traced(law) = force {
-                laws.push(law);
-            }
-        }
-        let law = Traced::<f64>::joined(&laws);
-        Self { law, ..self }
+    /// The same model with its forces made ready to run: to be done once, before it is lifted.
+    pub fn made_ready(self) -> Self {
+        let acting = Some(Acting::new(&self.forces, &self.inertia));
+        Self { acting, ..self }
     }
 
     /// The same model with its orientation as a quaternion.

@@ -1,14 +1,18 @@
 //! The equations as x' = f(x, u, t): (3.1), (3.2).
 
 mod free_body;
+mod jacobian;
 mod laws;
 mod lift;
 mod orientation;
+mod parameters;
 pub(crate) mod parts;
 mod state;
 
 pub use free_body::{Chart, Form, FreeBody};
+pub use jacobian::Entries;
 pub(crate) use laws::elsewhere;
+pub use parameters::BODY_PARAMETERS;
 pub use state::RigidState;
 
 use crate::algebra::Vec3;

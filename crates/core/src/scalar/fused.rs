@@ -100,4 +100,12 @@ impl Lane for Fused {
     fn from_lanes(mut f: impl FnMut(usize) -> f64) -> Self {
         Self(f(0))
     }
+    #[inline(always)]
+    fn load(numbers: &[f64]) -> Self {
+        Self(numbers[0])
+    }
+    #[inline(always)]
+    fn store(self, numbers: &mut [f64]) {
+        numbers[0] = self.0;
+    }
 }

@@ -21,6 +21,10 @@ pub trait Lane: Real {
     fn all_le(a: Self, b: Self) -> bool;
     /// The value whose lanes are given by `f`.
     fn from_lanes(f: impl FnMut(usize) -> f64) -> Self;
+    /// The first [`Lane::N`] numbers of a slice.
+    fn load(numbers: &[f64]) -> Self;
+    /// Writes the lanes to the first places of a slice.
+    fn store(self, numbers: &mut [f64]);
 }
 
 /// What every lane type does in the same way: the functions of [`Real`] that are written over [`Lane`].
@@ -69,6 +73,14 @@ impl Lane for f64 {
     #[inline(always)]
     fn from_lanes(mut f: impl FnMut(usize) -> f64) -> Self {
         f(0)
+    }
+    #[inline(always)]
+    fn load(numbers: &[f64]) -> Self {
+        numbers[0]
+    }
+    #[inline(always)]
+    fn store(self, numbers: &mut [f64]) {
+        numbers[0] = self;
     }
 }
 

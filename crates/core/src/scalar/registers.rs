@@ -169,6 +169,14 @@ macro_rules! register {
                 }
                 Self::from_array(all)
             }
+            #[inline(always)]
+            fn load(numbers: &[f64]) -> Self {
+                Self::from_array(*numbers.first_chunk().expect("as many numbers as lanes"))
+            }
+            #[inline(always)]
+            fn store(self, numbers: &mut [f64]) {
+                *numbers.first_chunk_mut().expect("as many places as lanes") = self.array();
+            }
         }
     };
 }

@@ -2,53 +2,43 @@
 
 use crate::scalar::{Real, Table};
 
-/// The inputs of a run.
-#[derive(Clone, Debug)]
-pub enum Inputs {
-    /// The same numbers all the time.
-    Constant(Vec<f64>),
-    /// One table over time for each input.
-    Tables(Vec<Table>),
+/// The inputs of a run: constants, and what tables over time add to them.
+#[derive(Clone, Debug, Default)]
+pub struct Inputs {
+    /// One number for each input.
+    pub constants: Vec<f64>,
+    /// One table for each input, or none.
+    pub tables: Vec<Table>,
 }
 
 impl Inputs {
-    /// How many inputs there are.
-    pub fn size(&self) -> usize {
-        match self {
-            Self::Constant(u) => u.len(),
-            Self::Tables(u) => u.len(),
-        }
+    /// The same numbers all the time.
+    pub fn constant(constants: Vec<f64>) -> Self {
+        Self { constants, tables: Vec::new() }
     }
 
-    /// Writes u(t).
-    #[inline(always)]
-    pub fn write<T: Real>(&self, t: T, u: &mut [T]) {
-        match self {
-            Self::Constant(values) => {
-                for (u, v) in u.iter_mut().zip(values) {
-                    *u = T::lit(*v);
-                }
-            }
-            Self::Tables(tables) => {
-                for (u, table) in u.iter_mut().zip(tables) {
-                    *u = t.lookup(table);
-                }
-            }
-        }
+    /// Tables alone.
+    pub fn tabulated(tables: Vec<Table>) -> Self {
+        Self { constants: vec![0.0; tables.len()], tables }
     }
 
     /// u(t).
     pub fn at(&self, t: f64) -> Vec<f64> {
-        let mut u = vec![0.0; self.size()];
-        self.write(t, &mut u);
+        let mut u = self.constants.clone();
+        add_tables(&self.tables, t, &mut u);
         u
     }
 
     /// Times at which an input or its slope jumps.
     pub fn breaks(&self) -> Vec<f64> {
-        match self {
-            Self::Constant(_) => Vec::new(),
-            Self::Tables(tables) => tables.iter().flat_map(|t| t.breaks().iter().copied()).collect(),
-        }
+        self.tables.iter().flat_map(|t| t.breaks().iter().copied()).collect()
+    }
+}
+
+/// Adds what tables have at time t.
+#[inline(always)]
+pub(super) fn add_tables<T: Real>(tables: &[Table], t: T, u: &mut [T]) {
+    for (u, table) in u.iter_mut().zip(tables) {
+        *u = *u + t.lookup(table);
     }
 }

@@ -7,10 +7,15 @@ mod run;
 mod samples;
 
 pub use inputs::Inputs;
+pub use motion::Motion;
 
-use crate::integrators::{Dop853, Dp54, Rk4, Tolerance};
+use crate::integrators::{Dop853, Dp54, Gauss6, Rk4, Rodas5P, Tolerance};
 use crate::phase_space::FreeBody;
 use crate::scalar::isa::{Isa, with_scalar};
+use crate::watch::{Occurrence, Watched};
+
+/// The square of a larger number is none, and with it the error of a step.
+pub(crate) const TOO_LARGE: f64 = 1e150;
 
 /// The methods of integration.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -21,6 +26,10 @@ pub enum MethodName {
     Dp54,
     /// Dormand–Prince 8(5, 3), adaptive.
     Dop853,
+    /// Rosenbrock–Wanner of order 5(4) for stiff systems, adaptive.
+    Rodas,
+    /// Gauss collocation of order 6, fixed step.
+    Gauss,
 }
 
 /// What a run is asked for.
@@ -42,6 +51,8 @@ pub struct Task<'a> {
     pub step: Option<f64>,
     /// The largest number of accepted and rejected steps.
     pub max_steps: u64,
+    /// Events and outputs.
+    pub watched: Option<&'a Watched>,
 }
 
 /// How a run ended.
@@ -49,8 +60,12 @@ pub struct Task<'a> {
 pub enum Ending {
     /// At the end of its span.
     ReachedEnd,
+    /// At an event, by its place among them.
+    Event(usize),
     /// The step shrank to the rounding of time.
     StepTooSmall,
+    /// The fixed step is too large for the iteration of an implicit method.
+    StepTooLarge,
     /// `max_steps` were done.
     StepLimit,
     /// The derivative is not finite; the force that made it so, by its place in the model, if one did.
@@ -88,6 +103,10 @@ pub struct Run {
     pub end_state: Vec<f64>,
     /// When it changed its chart.
     pub chart_changes: Vec<ChartChange>,
+    /// The events in the order of their times, their states in the chart and form of the model.
+    pub occurrences: Vec<Occurrence>,
+    /// The outputs.
+    pub outputs: Vec<f64>,
     /// Accepted steps.
     pub steps: u64,
     /// Rejected steps.
@@ -102,5 +121,7 @@ pub fn simulate(body: &FreeBody<f64>, task: &Task<'_>, progress: &mut dyn FnMut(
         MethodName::Rk4 => run::run::<T, Rk4>(body, task, progress),
         MethodName::Dp54 => run::run::<T, Dp54>(body, task, progress),
         MethodName::Dop853 => run::run::<T, Dop853>(body, task, progress),
+        MethodName::Rodas => run::run::<T, Rodas5P>(body, task, progress),
+        MethodName::Gauss => run::run::<T, Gauss6>(body, task, progress),
     })
 }

@@ -1,10 +1,10 @@
 //! The loop that drives one trajectory.
 
-use super::motion::Motion;
-use super::{ChartChange, Ending, Run, Task};
-use crate::integrators::{Lanes, Method, Stepper, Verdict};
-use crate::phase_space::FreeBody;
+use super::{ChartChange, Ending, Motion, Run, TOO_LARGE, Task};
+use crate::integrators::{Lanes, Method, Stepper, Verdict, write_lane};
+use crate::phase_space::{Chart, FreeBody};
 use crate::scalar::Lane;
+use crate::watch::{Watched, Watcher};
 
 /// A run in angles goes on in quaternions when it comes this near to the singularity of its angles, rad:
 /// there the rates of the angles are about seven times those of the body.
@@ -13,8 +13,6 @@ const LEAVE: f64 = 0.15;
 const PART: f64 = 0.1;
 /// It comes back to its angles at this many times the distance; the gap keeps it from going to and fro.
 const COME_BACK: f64 = 2.0;
-/// The square of a larger number is none, and with it the error of a step.
-const TOO_LARGE: f64 = 1e150;
 /// Steps between two reports of progress.
 const REPORT: u64 = 1024;
 
@@ -30,6 +28,7 @@ pub fn run<T: Lane, M: Method>(
         models: [body, &free],
         motions: [Motion::new(body, task.inputs), Motion::new(&free, task.inputs)],
         stepper: Stepper::new(task.tolerance),
+        watcher: Watcher::new(task.watched.unwrap_or(&Watched::default())),
         current: 0,
         last: task.x0.to_vec(),
         last_time: task.span[0],
@@ -40,6 +39,8 @@ pub fn run<T: Lane, M: Method>(
             end_time: task.span[0],
             end_state: Vec::new(),
             chart_changes: Vec::new(),
+            occurrences: Vec::new(),
+            outputs: Vec::new(),
             steps: 0,
             rejected: 0,
             evaluations: 0,
@@ -57,6 +58,7 @@ pub(super) struct Driver<'a, T, M> {
     pub(super) models: [&'a FreeBody<f64>; 2],
     pub(super) motions: [Motion<'a, T>; 2],
     pub(super) stepper: Stepper<T, M>,
+    pub(super) watcher: Watcher<T>,
     /// Which of the two is at work: 0 as asked for, 1 in quaternions.
     pub(super) current: usize,
     /// The state in the chart asked for, after the last step or sample.
@@ -76,7 +78,9 @@ impl<T: Lane, M: Method> Driver<'_, T, M> {
         let near = self.asked_distance() < self.leave();
         self.current = usize::from(near);
         let y = self.state_for(self.current);
-        self.stepper.start(&self.motions[self.current], ONE, T::lit(t0), &y, T::lit(t1), self.task.step);
+        let (motion, t) = (&self.motions[self.current], T::lit(t0));
+        self.stepper.start(motion, ONE, t, &y, T::lit(t1), self.task.step);
+        self.watcher.start(ONE, motion, t, &y);
         if near {
             self.note_change(t0, true);
         }
@@ -128,6 +132,7 @@ impl<T: Lane, M: Method> Driver<'_, T, M> {
             }
             return Some(match self.stepper.verdict(0) {
                 Verdict::StepTooSmall => Ending::StepTooSmall,
+                Verdict::StepTooLarge => Ending::StepTooLarge,
                 _ => Ending::NonFinite { force: self.culprit() },
             });
         }
@@ -139,7 +144,9 @@ impl<T: Lane, M: Method> Driver<'_, T, M> {
             self.run.rejected += 1;
             self.change_chart(true);
         } else {
-            self.take_step();
+            if let Some(event) = self.take_step() {
+                return Some(Ending::Event(event));
+            }
             if !M::ERROR.is_empty() && self.last.iter().any(|v| v.abs() > TOO_LARGE) {
                 return Some(Ending::NonFinite { force: self.culprit() });
             }
@@ -147,14 +154,30 @@ impl<T: Lane, M: Method> Driver<'_, T, M> {
         None
     }
 
-    /// Commits the accepted trial step and changes the chart where that is due.
-    fn take_step(&mut self) {
+    /// Commits the accepted trial step and changes the chart where that is due; or goes to the event that ends the
+    /// run within it.
+    fn take_step(&mut self) -> Option<usize> {
         self.run.steps += 1;
         let before = self.asked_distance();
-        self.save_inside();
+        self.watcher.look(&self.motions[self.current], &mut self.stepper, ONE);
+        let stop = self.watcher.stop(0).map(|stop| (stop.event, stop.time));
+        let end = stop.map_or(self.stepper.trial_t().get(0), |(_, time)| time);
+        self.save_inside(end);
+        if let (Some((event, time)), Some(last)) = (stop, self.run.occurrences.last()) {
+            (self.last, self.last_time) = (last.state.clone(), time);
+            if self.task.save_at.is_none() {
+                let x = self.last.clone();
+                self.save(time, &x);
+            }
+            return Some(event);
+        }
         self.stepper.commit(&self.motions[self.current]);
-        let y: Vec<f64> = self.stepper.y().iter().map(|v| v.get(0)).collect();
-        self.last = self.as_asked(&y);
+        let mut y = Vec::with_capacity(self.last.len() + 1);
+        T::call(
+            #[inline(always)]
+            || write_lane(self.stepper.y(), 0, &mut y),
+        );
+        self.last = if self.current == 0 { y } else { self.as_asked(&y) };
         self.last_time = self.time();
         if self.task.save_at.is_none() {
             let x = self.last.clone();
@@ -169,6 +192,7 @@ impl<T: Lane, M: Method> Driver<'_, T, M> {
                 self.change_chart(false);
             }
         }
+        None
     }
 
     fn time(&self) -> f64 {
@@ -203,6 +227,9 @@ impl<T: Lane, M: Method> Driver<'_, T, M> {
 
     /// Whether the trial step in angles ends too near to the singularity, or may have passed it.
     fn trial_goes_too_far(&self) -> bool {
+        if self.models[0].chart == Chart::Quaternion {
+            return false;
+        }
         let y: Vec<f64> = self.stepper.trial_y().iter().map(|v| v.get(0)).collect();
         let Some(distance) = self.models[0].singularity_distance(&y) else { return false };
         // The error of a fixed step is not watched: it keeps away altogether.
@@ -221,11 +248,8 @@ impl<T: Lane, M: Method> Driver<'_, T, M> {
         y.iter().map(|v| T::lit(*v)).collect()
     }
 
-    /// A state of the model at work, in the chart asked for; of its angle triples the one nearest to the last.
+    /// A state in quaternions in the chart asked for; of its angle triples the one nearest to the last.
     fn as_asked(&self, y: &[f64]) -> Vec<f64> {
-        if self.current == 0 {
-            return y.to_vec();
-        }
         change(self.models[1], y, self.models[0], &self.last)
     }
 
@@ -254,7 +278,8 @@ impl<T: Lane, M: Method> Driver<'_, T, M> {
     }
 
     fn finish(mut self) -> Run {
-        self.run.end_time = self.time();
+        self.run.end_time = self.last_time;
+        self.run.outputs = self.watcher.outputs(0);
         self.run.evaluations = self.stepper.evaluations();
         self.run.end_state = self.last;
         self.run

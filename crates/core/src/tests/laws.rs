@@ -73,8 +73,11 @@ fn laws_as_one_act_as_each_for_itself() {
         let mut case = case_with_laws(&mut random, kind);
         let [_, law] = both(&mut random);
         case.model.forces.extend(law);
-        let joined = case.model.clone().with_one_law();
-        assert!(joined.law.is_some() && joined.forces.len() == case.model.forces.len());
+        let joined = case.model.clone().made_ready();
+        assert!(
+            joined.acting.as_ref().is_some_and(|a| a.law.is_some())
+                && joined.forces.len() == case.model.forces.len()
+        );
         assert_eq!(Dynamics::<f64>::state_size(&joined), Dynamics::<f64>::state_size(&case.model));
         assert_eq!(Dynamics::<f64>::input_size(&joined), Dynamics::<f64>::input_size(&case.model));
         let apart = derivative(&case.model, &case);

@@ -1,16 +1,19 @@
 //! Laws of the whole kernel.
 
 mod bounded;
+mod bulk;
 mod duals;
+mod ensemble;
 mod evaluate;
 mod forms;
 mod lanes;
 mod laws;
 mod matrices;
-mod programs;
-mod runs_with_laws;
+mod motions;
+pub(crate) mod programs;
+pub(crate) mod runs_with_laws;
 mod sequences;
-mod simulate;
+pub(crate) mod simulate;
 mod validity;
 
 use crate::algebra::{Mat3, Mat6, Sym3, Vec3, normalized, rotation_from_quaternion};

@@ -10,6 +10,7 @@ pub type E = Expression;
 /// What a law is given, by name.
 pub struct Seen<'a> {
     pub time: E,
+    pub position: [E; 3],
     pub rotation: [[E; 3]; 3],
     pub twist: &'a [E],
     pub mass: E,
@@ -37,6 +38,7 @@ pub fn traced(
         let rotation = [three(4), three(7), three(10)];
         let seen = Seen {
             time: motion[0],
+            position: three(1),
             rotation,
             twist: &motion[13..19],
             mass: motion[19],

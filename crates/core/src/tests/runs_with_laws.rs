@@ -14,7 +14,7 @@ use std::sync::Arc;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
 /// A ball that turns through the singularity of its angles.
-fn tumbling(form: Form) -> (FreeBody<f64>, Vec<f64>) {
+pub fn tumbling(form: Form) -> (FreeBody<f64>, Vec<f64>) {
     let sequence = Sequence::parse("zyx").unwrap();
     let (mut body, _) = ball(vec![]);
     (body.chart, body.form) = (Chart::Angles(sequence), form);
@@ -38,7 +38,7 @@ fn lags_are_followed_through_changes_of_chart() {
         body.forces = vec![Force::Traced(idle)];
         body.control = Some(traced(&[2.0 * tau], places(1), |p, s| vec![lag(p, s)]));
         x0.extend(start);
-        let inputs = Inputs::Constant(vec![u]);
+        let inputs = Inputs::constant(vec![u]);
         let times: Vec<f64> = (0..=20).map(|k| 0.1 * f64::from(k)).collect();
         for method in METHODS {
             let plain = task(&x0, &inputs, method);
@@ -92,7 +92,7 @@ fn a_compiled_derivative_is_taken_in_the_chart_of_the_moment() {
         let (body, x0) = tumbling(form);
         let blocks = [Elsewhere::of(&body), Elsewhere::of(&body.in_quaternions())];
         let compiled = FreeBody { compiled: Some([blocks[0].clone(), blocks[1].clone()]), ..body.clone() };
-        let inputs = Inputs::Constant(Vec::new());
+        let inputs = Inputs::constant(Vec::new());
         for method in METHODS {
             let before = [blocks[0].asked(), blocks[1].asked()];
             let task = task(&x0, &inputs, method);

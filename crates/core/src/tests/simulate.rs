@@ -11,10 +11,11 @@ use crate::scalar::{Interpolation, Table};
 use crate::screw::Screw;
 use crate::simulate::{Ending, Inputs, MethodName, Run, Task, simulate};
 
-pub const METHODS: [MethodName; 3] = [MethodName::Rk4, MethodName::Dp54, MethodName::Dop853];
+pub const METHODS: [MethodName; 5] =
+    [MethodName::Rk4, MethodName::Dp54, MethodName::Dop853, MethodName::Rodas, MethodName::Gauss];
 
 fn none() -> Inputs {
-    Inputs::Constant(Vec::new())
+    Inputs::constant(Vec::new())
 }
 
 pub fn task<'a>(x0: &'a [f64], inputs: &'a Inputs, method: MethodName) -> Task<'a> {
@@ -25,8 +26,9 @@ pub fn task<'a>(x0: &'a [f64], inputs: &'a Inputs, method: MethodName) -> Task<'
         save_at: None,
         method,
         tolerance: Tolerance { relative: 1e-10, absolute: 1e-10 },
-        step: (method == MethodName::Rk4).then_some(0.01),
+        step: matches!(method, MethodName::Rk4 | MethodName::Gauss).then_some(0.01),
         max_steps: 100_000,
+        watched: None,
     }
 }
 
@@ -54,7 +56,7 @@ fn a_run_repeats_bit_for_bit_and_samples_do_not_change_it() {
         let mut case = make(&mut random, kind);
         // With random signs, damping drives motions beyond all bounds.
         case.model.forces.retain(|f| !matches!(f, Force::LinearDamping(_) | Force::QuadraticDamping(_)));
-        let inputs = Inputs::Constant(case.u);
+        let inputs = Inputs::constant(case.u);
         for method in METHODS {
             let plain = task(&case.x, &inputs, method);
             let first = run(&case.model, &plain);
@@ -95,7 +97,7 @@ fn steps_end_on_every_jump() {
         let silent = Table::new(&[0.0], &[0.0], Interpolation::Hold).unwrap();
         let mut tables = vec![silent; 6];
         tables[0] = table.clone();
-        for (force, inputs) in [(element, none()), (input, Inputs::Tables(tables))] {
+        for (force, inputs) in [(element, none()), (input, Inputs::tabulated(tables))] {
             let (body, x0) = ball(vec![force]);
             let result = run(&body, &task(&x0, &inputs, method));
             assert_eq!(result.ending, Ending::ReachedEnd);

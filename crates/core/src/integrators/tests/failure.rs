@@ -1,7 +1,7 @@
 //! Every run ends.
 
 use super::{Kepler, LOOSE, Scalar, advance, begin, tolerance};
-use crate::integrators::{Dop853, Dp54, Method, Rk4, Verdict};
+use crate::integrators::{Dop853, Dp54, Gauss6, Method, Rk4, Rodas5P, Verdict};
 
 #[test]
 fn a_start_that_is_not_finite_ends_at_once() {
@@ -17,6 +17,8 @@ fn a_start_that_is_not_finite_ends_at_once() {
     check::<Rk4>();
     check::<Dp54>();
     check::<Dop853>();
+    check::<Rodas5P>();
+    check::<Gauss6>();
 }
 
 #[test]
@@ -40,6 +42,7 @@ fn a_pole_ends_with_the_step_too_small() {
     }
     check::<Dp54>();
     check::<Dop853>();
+    check::<Rodas5P>();
 }
 
 /// The right-hand side is not a number from t = 1 on.
@@ -74,11 +77,15 @@ fn a_trial_that_is_not_finite_is_retried_with_a_fifth() {
 
 #[test]
 fn a_fixed_step_into_nan_is_an_end() {
-    let law = Scalar(|t: f64, _| (1.0 - t).sqrt());
-    let mut stepper = begin::<Rk4, _>(&law, LOOSE, (0.0, 2.0), &[0.0], Some(0.3));
-    advance(&mut stepper, &law, 2.0);
-    assert_eq!(stepper.verdict(0), Verdict::NonFinite);
-    assert_eq!(stepper.steps(), 3.0);
+    fn check<M: Method>() {
+        let law = Scalar(|t: f64, _| (1.0 - t).sqrt());
+        let mut stepper = begin::<M, _>(&law, LOOSE, (0.0, 2.0), &[0.0], Some(0.3));
+        advance(&mut stepper, &law, 2.0);
+        assert_eq!(stepper.verdict(0), Verdict::NonFinite);
+        assert_eq!(stepper.steps(), 3.0);
+    }
+    check::<Rk4>();
+    check::<Gauss6>();
 }
 
 #[test]

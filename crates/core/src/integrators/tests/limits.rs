@@ -1,7 +1,7 @@
 //! Steps end where the caller wants them, and right-hand sides may jump there.
 
 use super::{Kepler, LOOSE, Scalar, advance, begin, equal_steps, slope, tolerance};
-use crate::integrators::{Block, Dop853, Dp54, Lanes, Method, Rk4, System, Verdict};
+use crate::integrators::{Block, Dop853, Dp54, Gauss6, Lanes, Method, Rk4, Rodas5P, System, Verdict};
 
 #[test]
 fn limits_are_met_exactly() {
@@ -101,6 +101,8 @@ fn a_jump_at_a_limit_keeps_the_order() {
     order_across_jump::<Rk4>(&[20, 40, 80, 160], 0.2);
     order_across_jump::<Dp54>(&[10, 20, 40, 80], 0.3);
     order_across_jump::<Dop853>(&[3, 4, 6, 8], 0.5);
+    order_across_jump::<Rodas5P>(&[10, 20, 40, 80], 0.3);
+    order_across_jump::<Gauss6>(&[4, 8, 16, 32], 0.3);
 }
 
 #[test]
@@ -118,6 +120,8 @@ fn dense_output_before_a_jump_is_of_the_law_before_it() {
     check::<Rk4>();
     check::<Dp54>();
     check::<Dop853>();
+    check::<Rodas5P>();
+    check::<Gauss6>();
 }
 
 #[test]
@@ -143,6 +147,10 @@ impl System<f64> for Mirrored {
     fn derivative(&self, t: f64, y: &[f64], dy: &mut [f64]) {
         Kepler.derivative(-t, y, dy);
         dy.iter_mut().for_each(|d| *d = -*d);
+    }
+    fn jacobian(&self, t: f64, y: &[f64], by_time: &mut [f64], by_state: &mut [f64]) {
+        Kepler.jacobian(-t, y, by_time, by_state);
+        by_state.iter_mut().for_each(|d| *d = -*d);
     }
     fn error_blocks(&self) -> &[Block] {
         System::<f64>::error_blocks(&Kepler)
@@ -174,4 +182,6 @@ fn backward_is_forward_with_time_mirrored() {
     check::<Rk4>(Some(0.3));
     check::<Dp54>(None);
     check::<Dop853>(None);
+    check::<Rodas5P>(None);
+    check::<Gauss6>(Some(0.3));
 }

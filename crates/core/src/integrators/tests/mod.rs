@@ -2,13 +2,15 @@
 
 mod control;
 mod failure;
+mod implicit;
 mod lanes;
 mod limits;
+mod linear;
 mod order;
 mod tableau;
 
-use super::{Block, ErrorScale, Lanes, Method, Stepper, System, Tolerance};
-use crate::scalar::Lane;
+use super::{Block, ErrorScale, Lanes, Method, Stepper, System, Tolerance, differentiate};
+use crate::scalar::{Lane, Real};
 
 /// Two bodies, one fixed at the origin, with unit attraction: position (2), velocity (2).
 pub struct Kepler;
@@ -20,12 +22,13 @@ impl<T: Lane> System<T> for Kepler {
     fn derivative(&self, _: T, y: &[T], dy: &mut [T]) {
         T::call(
             #[inline(always)]
-            || {
-                let r2 = y[0].fma(y[0], y[1] * y[1]);
-                let pull = -T::one() / (r2 * r2.sqrt());
-                (dy[0], dy[1]) = (y[2], y[3]);
-                (dy[2], dy[3]) = (pull * y[0], pull * y[1]);
-            },
+            || Self::law(y, dy),
+        );
+    }
+    fn jacobian(&self, t: T, y: &[T], by_time: &mut [T], by_state: &mut [T]) {
+        T::call(
+            #[inline(always)]
+            || differentiate(t, y, by_time, by_state, |_, y, dy| Self::law(y, dy)),
         );
     }
     fn error_blocks(&self) -> &[Block] {
@@ -37,6 +40,13 @@ impl<T: Lane> System<T> for Kepler {
 }
 
 impl Kepler {
+    fn law<T: Real>(y: &[T], dy: &mut [T]) {
+        let r2 = y[0].fma(y[0], y[1] * y[1]);
+        let pull = -T::one() / (r2 * r2.sqrt());
+        (dy[0], dy[1]) = (y[2], y[3]);
+        (dy[2], dy[3]) = (pull * y[0], pull * y[1]);
+    }
+
     /// The orbit of eccentricity `e` and period 2π, `t` after the pericentre.
     pub fn orbit(e: f64, t: f64) -> [f64; 4] {
         // Kepler's equation by Newton's method; 50 steps are far more than enough below e = 0.9.
@@ -50,8 +60,16 @@ impl Kepler {
     }
 }
 
-/// A scalar equation given by a function.
+/// A scalar equation given by a function; its derivatives are difference quotients, right to about 1e-10.
 pub struct Scalar<F>(pub F);
+
+impl<F: Fn(f64, f64) -> f64> Scalar<F> {
+    fn quotient(f: impl Fn(f64) -> f64, x: f64) -> f64 {
+        // Ahead, within the step: behind the point may lie a jump.
+        let d = 1e-5 * x.abs().max(1.0);
+        (4.0 * f(x + d) - f(x + 2.0 * d) - 3.0 * f(x)) / (2.0 * d)
+    }
+}
 
 impl<F: Fn(f64, f64) -> f64> System<f64> for Scalar<F> {
     fn size(&self) -> usize {
@@ -59,6 +77,10 @@ impl<F: Fn(f64, f64) -> f64> System<f64> for Scalar<F> {
     }
     fn derivative(&self, t: f64, y: &[f64], dy: &mut [f64]) {
         dy[0] = (self.0)(t, y[0]);
+    }
+    fn jacobian(&self, t: f64, y: &[f64], by_time: &mut [f64], by_state: &mut [f64]) {
+        by_time[0] = Self::quotient(|t| (self.0)(t, y[0]), t);
+        by_state[0] = Self::quotient(|y| (self.0)(t, y), y[0]);
     }
     fn error_blocks(&self) -> &[Block] {
         &[Block { start: 0, len: 1, scale: ErrorScale::Relative }]

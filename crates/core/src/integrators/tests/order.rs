@@ -1,7 +1,7 @@
 //! Each method has the order that it states.
 
 use super::{Kepler, LOOSE, advance, begin, distance, equal_steps, slope};
-use crate::integrators::{Dop853, Dp54, Method, Rk4};
+use crate::integrators::{Dop853, Dp54, Gauss6, Method, Rk4, Rodas5P};
 
 const E: f64 = 0.3;
 
@@ -36,6 +36,16 @@ fn order_dp54() {
 #[test]
 fn order_dop853() {
     order::<Dop853>(&[30, 40, 60, 80, 120], 0.5);
+}
+
+#[test]
+fn order_rodas5p() {
+    order::<Rodas5P>(&[50, 100, 200, 400], 0.3);
+}
+
+#[test]
+fn order_gauss6() {
+    order::<Gauss6>(&[20, 40, 80, 160], 0.3);
 }
 
 /// Inside one step of size h the solution is right to `h^(order + 1)`.
@@ -76,6 +86,16 @@ fn dense_order_dop853() {
     dense_order::<Dop853>(&[0.4, 0.3, 0.2, 0.15, 0.1], 0.5);
 }
 
+#[test]
+fn dense_order_rodas5p() {
+    dense_order::<Rodas5P>(&[0.2, 0.1, 0.05, 0.025], 0.3);
+}
+
+#[test]
+fn dense_order_gauss6() {
+    dense_order::<Gauss6>(&[0.2, 0.1, 0.05, 0.025], 0.3);
+}
+
 /// At the ends of a step the continuous solution is the step's, and its slope is the derivative there.
 fn dense_ends<M: Method>() {
     let mut stepper = begin::<M, _>(&Kepler, LOOSE, (0.0, 1.0), &Kepler::orbit(E, 0.0), Some(0.25));
@@ -106,4 +126,5 @@ fn dense_output_is_smooth() {
     dense_ends::<Rk4>();
     dense_ends::<Dp54>();
     dense_ends::<Dop853>();
+    dense_ends::<Gauss6>();
 }

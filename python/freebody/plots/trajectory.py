@@ -3,51 +3,28 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from pathlib import Path
 from typing import Any
 
 import numpy as np
 from matplotlib import rc_context
 from matplotlib.axes import Axes
-from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
-from freebody.errors import InputError
+from freebody._check import Array
 from freebody.simulation import Trajectory
 
-__all__ = ["check_suffix", "figure", "save"]
+from .style import BLACK, BLUE, GREEN, GREY, RED, STYLE, blank
 
-Array = NDArray[np.float64]
+__all__ = ["figure"]
 
-SUFFIXES = (".png", ".svg", ".pdf")
-
-# Okabe and Ito's colours, told apart by colour-blind readers too.
-RED, GREEN, BLUE, BLACK, GREY = "#D55E00", "#009E73", "#0072B2", "#000000", "#8c8c8c"
 XYZ = {"x": RED, "y": GREEN, "z": BLUE}
-
-STYLE: dict[Any, Any] = {
-    "font.size": 9.0,
-    "axes.titlesize": 10.0,
-    "axes.titleweight": "bold",
-    "axes.titlelocation": "left",
-    "axes.grid": True,
-    "axes.spines.top": False,
-    "axes.spines.right": False,
-    "axes.xmargin": 0.0,
-    "grid.color": "#e4e4e4",
-    "grid.linewidth": 0.7,
-    "legend.frameon": False,
-    "legend.fontsize": 8.5,
-    "lines.linewidth": 1.2,
-}
 
 
 def figure(run: Trajectory, *, title: str = "", points: Mapping[str, ArrayLike] | None = None) -> Figure:
     """Panels over time; a body whose mass centre rests shows the path of its first named point instead."""
     with rc_context(STYLE):
-        drawing = Figure(figsize=(11.0, 9.0), layout="constrained")
-        FigureCanvasAgg(drawing)
+        drawing = blank(11.0, 9.0)
         names: list[Any] = [["position", "velocity"], ["attitude", "rates"], ["energy", "drift"]]
         axes = drawing.subplot_mosaic(names, sharex=True)
         scale, unit = _time_unit(run.t)
@@ -63,25 +40,6 @@ def figure(run: Trajectory, *, title: str = "", points: Mapping[str, ArrayLike] 
             axes["attitude"].axvline(change.time / scale, color=GREY, linestyle=":", zorder=0)
         drawing.suptitle(title, fontsize=13, fontweight="bold", x=0.01, ha="left")
     return drawing
-
-
-def save(drawing: Figure, path: Path) -> None:
-    """Writes to `path` as its suffix says, at once or not at all. Raises `InputError` for another suffix."""
-    check_suffix(path)
-    unfinished = path.with_name(f".{path.name}.unfinished")
-    try:
-        drawing.savefig(unfinished, dpi=150, format=path.suffix[1:])
-        unfinished.replace(path)
-    finally:
-        unfinished.unlink(missing_ok=True)
-
-
-def check_suffix(path: Path) -> None:
-    """Raises `InputError` for a suffix that is no figure's."""
-    if path.suffix not in SUFFIXES:
-        raise InputError(
-            f"{path}: the suffix says the figure's format: {', '.join(SUFFIXES)}; came {path.suffix!r}"
-        )
 
 
 def _position(
