@@ -74,5 +74,5 @@ $(PEERS)/.installed: bench/requirements.txt bench/constraints.txt
 	@touch $@
 
 $(EXTENSION): $(VENV)/.base pyproject.toml $(RUST)
-	PIP_QUIET=1 PIP_CONSTRAINT=$(CURDIR)/constraints.txt $(BIN)/maturin develop --release --locked --quiet --extras all
+	PIP_QUIET=1 PIP_CONSTRAINT=$(CURDIR)/constraints.txt $(BIN)/maturin develop --release --locked --quiet --extras cli,cluster,data,ensemble,plot
 	@touch $@
