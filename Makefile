@@ -24,7 +24,7 @@ demo: $(EXTENSION) ## simulate a real tumbling body and check its numbers
 
 test: setup ## run every test: Rust, then Python
 	cargo test --locked --quiet -p freebody-core
-	$(BIN)/pytest
+	$(BIN)/python -m pytest
 
 check: setup ## formatting, linters, types, import arrows, inlining, the documents' truth
 	cargo fmt --check
@@ -34,7 +34,7 @@ check: setup ## formatting, linters, types, import arrows, inlining, the documen
 	$(BIN)/pyright
 	$(BIN)/lint-imports
 	$(BIN)/python tools/check_inlining.py $(EXTENSION)
-	$(BIN)/pytest tests/repo
+	$(BIN)/python -m pytest tests/repo
 
 format: $(VENV)/.dev ## format Rust and Python
 	cargo fmt

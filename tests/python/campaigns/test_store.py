@@ -134,6 +134,7 @@ def test_memory_is_that_of_a_chunk(tmp_path):
         here, there = context.Pipe(duplex=False)
         process = context.Process(target=_peak, args=(tmp_path / f"{n}", n, there))
         process.start()
+        assert here.poll(120), "the campaign of the other process came to nothing"
         peaks.append(here.recv())
         process.join()
     assert peaks[1] - peaks[0] < 40_000  # kB
