@@ -2,6 +2,7 @@
 
 use super::Batch;
 use crate::phase_space::{Chart, Dynamics, Form, FreeBody};
+use crate::simulate::limits;
 
 /// The model as it runs, and when it must pause.
 pub struct Setup<'a> {
@@ -29,13 +30,7 @@ impl<'a> Setup<'a> {
         }
         body.form = Form::QuasiVelocity;
         let states = Dynamics::<f64>::state_size(asked);
-        let [t0, t1] = batch.span;
-        let forces = asked.forces.iter().flat_map(|f| f.breaks());
-        let mut limits: Vec<f64> =
-            forces.chain(batch.inputs.breaks()).filter(|t| *t > t0 && *t < t1).collect();
-        limits.push(t1);
-        limits.sort_by(f64::total_cmp);
-        limits.dedup();
+        let limits = limits(asked, batch.inputs, batch.span);
         let parameters = body.parameters();
         Self { batch, body, same, runs: batch.starts.len() / states.max(1), states, parameters, limits }
     }

@@ -17,6 +17,16 @@ use crate::watch::{Occurrence, Watched};
 /// The square of a larger number is none, and with it the error of a step.
 pub(crate) const TOO_LARGE: f64 = 1e150;
 
+/// The times within a span where a force or an input jumps, and its end: steps end there.
+pub(crate) fn limits(body: &FreeBody<f64>, inputs: &Inputs, [t0, t1]: [f64; 2]) -> Vec<f64> {
+    let forces = body.forces.iter().flat_map(|f| f.breaks());
+    let mut limits: Vec<f64> = forces.chain(inputs.breaks()).filter(|t| *t > t0 && *t < t1).collect();
+    limits.push(t1);
+    limits.sort_by(f64::total_cmp);
+    limits.dedup();
+    limits
+}
+
 /// The methods of integration.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum MethodName {

@@ -1,6 +1,6 @@
 //! The loop that drives one trajectory.
 
-use super::{ChartChange, Ending, Motion, Run, TOO_LARGE, Task};
+use super::{ChartChange, Ending, Motion, Run, TOO_LARGE, Task, limits};
 use crate::integrators::{Lanes, Method, Stepper, Verdict, write_lane};
 use crate::phase_space::{Chart, FreeBody};
 use crate::scalar::Lane;
@@ -93,14 +93,8 @@ impl<T: Lane, M: Method> Driver<'_, T, M> {
     }
 
     fn go(&mut self, progress: &mut dyn FnMut(f64) -> bool) -> Ending {
-        let [t0, t1] = self.task.span;
-        let forces = self.models[0].forces.iter().flat_map(|f| f.breaks());
-        let mut limits: Vec<f64> =
-            forces.chain(self.task.inputs.breaks()).filter(|t| *t > t0 && *t < t1).collect();
-        limits.push(t1);
-        limits.sort_by(f64::total_cmp);
-        limits.dedup();
-        for limit in limits {
+        let t1 = self.task.span[1];
+        for limit in limits(self.models[0], self.task.inputs, self.task.span) {
             while self.time() < limit {
                 let done = self.run.steps + self.run.rejected;
                 if done >= self.task.max_steps {
