@@ -46,9 +46,11 @@ bench: setup $(PEERS)/.installed ## measure the speeds that the documents state,
 	$(BIN)/python bench/derivative.py
 	$(BIN)/python bench/laws.py
 	$(BIN)/python bench/equations.py
+	$(BIN)/python bench/vehicles.py
 	PYTHONPATH=python $(PEERS)/bin/python bench/side_by_side.py
 
 docs: setup ## build the documentation into build/docs
+	$(BIN)/python tools/gallery.py docs/generated
 	$(BIN)/sphinx-build -W --keep-going -q docs build/docs
 	@echo "docs: build/docs/index.html"
 

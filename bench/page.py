@@ -1,14 +1,16 @@
-"""The table of docs/speed.md, out of results.json: `python bench/page.py` renews it."""
+"""The tables of docs/speed.md, out of results.json and vehicles.json: `python bench/page.py` renews them."""
 
 import json
+from collections.abc import Callable
 from pathlib import Path
 
 RESULTS = Path(__file__).with_name("results.json")
+VEHICLES = Path(__file__).with_name("vehicles.json")
 PAGE = Path(__file__).parents[1] / "docs/speed.md"
-MARKS = ("<!-- table: bench/page.py -->\n", "<!-- end -->\n")
+END = "<!-- end -->\n"
 
 
-def table() -> str:
+def peers() -> str:
     """Markdown: a line a measure, a column a peer, their time over ours."""
     results = json.loads(RESULTS.read_text())
     peers = [name for name in results["versions"] if name != "freebody"]
@@ -22,11 +24,31 @@ def table() -> str:
     return f"{results['instruction_set']}; {versions}.\n\n" + "\n".join(lines) + "\n"
 
 
+def vehicles() -> str:
+    """Markdown: a line a vehicle, a column a measure, its time over that of the plain body."""
+    results = json.loads(VEHICLES.read_text())
+    measures = list(next(iter(results["ratios"].values())))
+    lines = [f"| vehicle | operations | {' | '.join(measures)} |", f"|---|---:|{'---:|' * len(measures)}"]
+    for name, ratios in results["ratios"].items():
+        cells = " | ".join(f"{ratios[measure]:g}" for measure in measures)
+        lines.append(f"| {name} | {results['operations'][name]} | {cells} |")
+    return f"{results['instruction_set']}, one thread.\n\n" + "\n".join(lines) + "\n"
+
+
+TABLES: dict[str, Callable[[], str]] = {
+    "<!-- table: bench/page.py -->\n": peers,
+    "<!-- table of vehicles: bench/page.py -->\n": vehicles,
+}
+
+
 def renewed() -> str:
-    """The page with the table as it is now."""
-    before, rest = PAGE.read_text().split(MARKS[0])
-    _, after = rest.split(MARKS[1])
-    return f"{before}{MARKS[0]}\n{table()}\n{MARKS[1]}{after}"
+    """The page with the tables as they are now."""
+    text = PAGE.read_text()
+    for mark, table in TABLES.items():
+        before, rest = text.split(mark)
+        _, after = rest.split(END, 1)
+        text = f"{before}{mark}\n{table()}\n{END}{after}"
+    return text
 
 
 def renew() -> None:

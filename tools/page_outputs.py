@@ -11,6 +11,8 @@ from contextlib import redirect_stdout
 from pathlib import Path
 from typing import Any
 
+import numpy as np
+
 BLOCK = re.compile(
     r"^```python\n(?P<code>.*?)^```\n"
     r"(?:\n(?P<head>```(?:text|latex|c|\{math\}\n:nowrap:\n)\n)(?P<printed>.*?)^```\n)?",
@@ -31,7 +33,9 @@ def renewed(page: Path) -> str:
         code = block[0][: block.start("head") - block.start()]
         return f"{code}{block['head']}{printed.getvalue().strip()}\n```\n"
 
-    return BLOCK.sub(run, page.read_text())
+    # What a page says of how arrays are printed holds for that page.
+    with np.printoptions():
+        return BLOCK.sub(run, page.read_text())
 
 
 if __name__ == "__main__":

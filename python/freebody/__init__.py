@@ -5,7 +5,7 @@ from __future__ import annotations
 from os import PathLike
 from typing import TYPE_CHECKING
 
-from freebody import forms
+from freebody import dave_ml, elements, environment, forms, vehicles
 from freebody._core import __version__
 from freebody.attitude import Attitude
 from freebody.body import RigidBody, positive_integral_inertia, principal_inertia
@@ -34,6 +34,7 @@ from freebody.errors import (
     SingularChartError,
     StoreError,
     TraceError,
+    TrimError,
 )
 from freebody.forces import (
     ConstantWrench,
@@ -44,26 +45,45 @@ from freebody.forces import (
     PointMassGravity,
     QuadraticDamping,
     Quantity,
+    Spin,
     StateQuantity,
     TabulatedWrench,
     UniformGravity,
 )
 from freebody.linearization import Linearization
 from freebody.model import Model
-from freebody.simulation import ChartChange, Conserved, InputTable, Occurrence, Outcome, Trajectory
+from freebody.simulation import (
+    ChartChange,
+    Conserved,
+    InputTable,
+    Notice,
+    Occurrence,
+    Outcome,
+    Separation,
+    Stage,
+    StagedTrajectory,
+    Trajectory,
+    simulate_stages,
+)
 from freebody.tables import Table
 from freebody.tracing import (
+    ContentsLaw,
     ControlLaw,
     EventLaw,
     ForceLaw,
+    NoticeLaw,
     OutputLaw,
     callback,
+    contents,
     control,
     event,
     force,
+    mass_properties,
+    notice,
     output,
     wrench,
 )
+from freebody.trimming import Trim, trim
 
 if TYPE_CHECKING:
     from freebody.model_file import LoadedModel
@@ -74,6 +94,7 @@ __all__ = [
     "ChartChange",
     "Conserved",
     "ConstantWrench",
+    "ContentsLaw",
     "Control",
     "ControlLaw",
     "Discrete",
@@ -96,6 +117,8 @@ __all__ = [
     "MultivariateNormal",
     "NonFiniteError",
     "Normal",
+    "Notice",
+    "NoticeLaw",
     "Occurrence",
     "Offset",
     "Outcome",
@@ -106,7 +129,11 @@ __all__ = [
     "RigidBody",
     "Runs",
     "Samples",
+    "Separation",
     "SingularChartError",
+    "Spin",
+    "Stage",
+    "StagedTrajectory",
     "StateQuantity",
     "StoreError",
     "SymbolicBody",
@@ -114,21 +141,32 @@ __all__ = [
     "TabulatedWrench",
     "TraceError",
     "Trajectory",
+    "Trim",
+    "TrimError",
     "TruncatedNormal",
     "Uniform",
     "UniformGravity",
     "__version__",
     "callback",
     "compile",
+    "contents",
     "control",
+    "dave_ml",
+    "elements",
+    "environment",
     "equations",
     "event",
     "force",
     "forms",
     "load",
+    "mass_properties",
+    "notice",
     "output",
     "positive_integral_inertia",
     "principal_inertia",
+    "simulate_stages",
+    "trim",
+    "vehicles",
     "wrench",
 ]
 

@@ -36,9 +36,7 @@ def compile(model: Model) -> Model:
     """
     if not isinstance(model, Model):
         raise InputError(f"model: got {_check.shown(model)}; give a freebody.Model")
-    in_quaternions = Model(
-        model.body, model.forces, "quaternion", model.form, control=model.control, name=model.name
-    )
+    in_quaternions = Model(model.body, model.forces, "quaternion", model.form, control=model.control)
     return model.with_compiled(_core.Compiled(_built(model), _built(in_quaternions)))
 
 

@@ -14,6 +14,7 @@ __all__ = [
     "SingularChartError",
     "StoreError",
     "TraceError",
+    "TrimError",
 ]
 
 
@@ -86,3 +87,7 @@ class TraceError(InputError):
         place = None if self.file is None else f"{self.file}:{self.line}"
         head = ": ".join(part for part in (self.function, place, self.args[0]) if part)
         return f"{head}\n    {self.text}" if self.text else head
+
+
+class TrimError(FreebodyError):
+    """No steady flight was found; the message says which rates remain."""

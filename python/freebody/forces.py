@@ -6,15 +6,15 @@ axes from o1, (3,) m.
 
 from __future__ import annotations
 
-from abc import ABC, abstractmethod
 from collections.abc import Iterable
-from typing import Literal, NamedTuple
+from typing import Literal
 
 import numpy as np
 from numpy.typing import ArrayLike
 
 from freebody import _check, _core
 from freebody.errors import InputError
+from freebody.interfaces import Control, Force, Quantity, Spin, StateQuantity
 from freebody.tables import Interpolation, check_slopes, table_times
 
 __all__ = [
@@ -26,6 +26,7 @@ __all__ = [
     "PointMassGravity",
     "QuadraticDamping",
     "Quantity",
+    "Spin",
     "StateQuantity",
     "TabulatedWrench",
     "UniformGravity",
@@ -33,70 +34,6 @@ __all__ = [
 
 ORIGIN = (0.0, 0.0, 0.0)
 Axes = Literal["body", "world"]
-
-
-class Quantity(NamedTuple):
-    """A number that a law reads or sets; the unit is "" where it is not known."""
-
-    name: str
-    unit: str
-
-
-class StateQuantity(NamedTuple):
-    """A number that a law itself moves, and its value at the start."""
-
-    name: str
-    unit: str
-    initial: float
-
-
-class Force(ABC):
-    """A force element: a name, and how the core sees it.
-
-    Attributes
-    ----------
-    inputs, states
-        What it reads from u, and its own states.
-    """
-
-    inputs: tuple[Quantity, ...] = ()
-    states: tuple[StateQuantity, ...] = ()
-
-    def __init__(self, name: str | None) -> None:
-        self.name = type(self).__name__ if name is None else _check.label("name", name)
-
-    @abstractmethod
-    def core(self) -> _core.Force:
-        """The element of the core."""
-
-    def __repr__(self) -> str:
-        return f"<{type(self).__name__} {self.name!r}>"
-
-
-class Control(ABC):
-    """A control law u = k(t, x): what it commands are inputs of the forces.
-
-    Attributes
-    ----------
-    commands
-        The inputs that it sets.
-    inputs, states
-        What it reads from u itself, references above all, and its own states.
-    """
-
-    commands: tuple[Quantity, ...] = ()
-    inputs: tuple[Quantity, ...] = ()
-    states: tuple[StateQuantity, ...] = ()
-
-    def __init__(self, name: str | None) -> None:
-        self.name = type(self).__name__ if name is None else _check.label("name", name)
-
-    @abstractmethod
-    def core(self) -> _core.Control:
-        """The law of the core."""
-
-    def __repr__(self) -> str:
-        return f"<{type(self).__name__} {self.name!r}>"
 
 
 class UniformGravity(Force):

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Mapping
-from typing import Literal
+from typing import Any, Literal
 
 from numpy.typing import ArrayLike
 
@@ -12,18 +12,13 @@ from freebody._check import Array
 from freebody.attitude import Attitude
 from freebody.body import RigidBody
 from freebody.ensembles import Dispersion, Ensemble, Sampling
+from freebody.environment import Environment
 from freebody.errors import InputError
-from freebody.forces import (
-    ORIGIN,
-    Control,
-    Force,
-    InputWrench,
-    Quantity,
-    StateQuantity,
-    checked_forces,
-)
+from freebody.forces import ORIGIN, InputWrench, checked_forces
+from freebody.interfaces import Control, Force, StateQuantity
+from freebody.left_side import left_side
 from freebody.linearization import Linearization, linearize
-from freebody.signals import connect, rigid_state_labels
+from freebody.signals import Source, connect, labels, reads_inputs, rigid_state_labels
 from freebody.simulation import InputTable, Method, Trajectory, simulate
 from freebody.states import state_of
 from freebody.tracing import EventLaw, OutputLaw
@@ -41,8 +36,8 @@ class Model(_core.Model):
     body
         The body, about any frame.
     forces
-        Force elements. When none of them reads inputs, u is the wrench (6,) on the body about its origin in
-        body axes, added to the forces, so that B = [0; Θ⁻¹].
+        Force elements. When none of them reads inputs of u, u is the wrench (6,) on the body about its origin
+        in body axes, added to the forces, so that B = [0; Θ⁻¹].
     attitude
         Chart of the orientation: "quaternion", or an angle sequence such as "zyx".
     form
@@ -52,6 +47,8 @@ class Model(_core.Model):
         A control law: what it commands is no input of the model any more, what it reads itself is.
     name
         How messages and results call the model.
+    environment
+        In whose frames results are told. It does not act: what asks for it are forces.
 
     Attributes
     ----------
@@ -62,6 +59,8 @@ class Model(_core.Model):
         Whether its derivative is compiled C, see `freebody.compile`.
     command_names, command_units
         What the control law commands.
+    sources
+        What laws can read by name: inputs, commands, and states that forces publish.
     """
 
     body: RigidBody
@@ -70,6 +69,7 @@ class Model(_core.Model):
     form: Form
     control: Control | None
     name: str
+    environment: Environment | None
     compiled: bool
     acting_names: tuple[str, ...]
     state_names: tuple[str, ...]
@@ -79,6 +79,7 @@ class Model(_core.Model):
     command_names: tuple[str, ...]
     command_units: tuple[str, ...]
     auxiliary_states: tuple[StateQuantity, ...]
+    sources: Mapping[str, Source]
 
     def __new__(
         cls,
@@ -89,8 +90,9 @@ class Model(_core.Model):
         *,
         control: Control | None = None,
         name: str = "model",
+        environment: Environment | None = None,
     ) -> Model:
-        return cls._of(body, forces, attitude, form, control, name, None)
+        return cls._of(body, forces, attitude, form, control, name, environment, compiled=None)
 
     @classmethod
     def _of(
@@ -101,6 +103,8 @@ class Model(_core.Model):
         form: Form,
         control: Control | None,
         name: str,
+        environment: Environment | None,
+        *,
         compiled: _core.Compiled | None,
     ) -> Model:
         if not isinstance(body, RigidBody):
@@ -110,7 +114,9 @@ class Model(_core.Model):
         _check.choice("form", form, ("quasi_velocity", "generalized"))
         if not isinstance(control, Control | None):
             raise InputError(f"control: got {_check.shown(control)}; give a control law, made by @fb.control")
-        acting = given if any(f.inputs for f in given) else (*given, InputWrench(name="applied wrench"))
+        if not isinstance(environment, Environment | None):
+            raise InputError(f"environment: got {_check.shown(environment)}; give a freebody Environment")
+        acting = given if reads_inputs(given) else (*given, InputWrench(name="applied wrench"))
         signals = connect(acting, control)
         names = [f.name for f in acting] + ([] if control is None else [control.name])
         self = super().__new__(
@@ -124,17 +130,18 @@ class Model(_core.Model):
             len(signals.inputs),
             None if control is None else control.core(),
             signals.control_places,
+            left_side(body, acting, signals),
             compiled,
         )
         self.body, self.forces, self.attitude, self.form = body, given, attitude, form
         self.control, self.acting_names, self.compiled = control, tuple(names), compiled is not None
-        self.name = _check.label("name", name)
+        self.name, self.environment = _check.label("name", name), environment
         names, units = rigid_state_labels(attitude, form == "generalized")
         self.state_names = (*names, *(s.name for s in signals.states))
         self.state_units = (*units, *(s.unit for s in signals.states))
-        self.auxiliary_states = signals.states
-        self.input_names, self.input_units = _labels(signals.inputs)
-        self.command_names, self.command_units = _labels(signals.commands)
+        self.auxiliary_states, self.sources = signals.states, signals.sources
+        self.input_names, self.input_units = labels(signals.inputs)
+        self.command_names, self.command_units = labels(signals.commands)
         return self
 
     @property
@@ -265,15 +272,17 @@ class Model(_core.Model):
 
     def with_compiled(self, compiled: _core.Compiled) -> Model:
         """The same model with a derivative that `freebody.compile` made."""
-        given = (self.body, self.forces, self.attitude, self.form, self.control, self.name)
-        return type(self)._of(*given, compiled)
+        return type(self)._of(*self._content(), compiled=compiled)
 
     def linearize(self, run: Trajectory) -> Linearization:
         """The exact Jacobians A(t), B(t) at the samples of a run of this model. Konoplev (3.2)."""
         return linearize(self, run)
 
+    def _content(self) -> tuple[Any, ...]:
+        return self.body, self.forces, self.attitude, self.form, self.control, self.name, self.environment
+
     def __reduce__(self) -> tuple[object, ...]:
-        return _restore, (self.body, self.forces, self.attitude, self.form, self.control, self.name)
+        return _restore, self._content()
 
     def __repr__(self) -> str:
         acting = ", ".join(f.name for f in self.forces) or "none"
@@ -282,12 +291,5 @@ class Model(_core.Model):
         return f"<Model {self.name!r}: {self.body.name!r}, forces: {acting}; {self.attitude}, {self.form}>"
 
 
-def _restore(
-    body: RigidBody, forces: tuple[Force, ...], attitude: str, form: Form, control: Control | None, name: str
-) -> Model:
-    return Model(body, forces, attitude, form, control=control, name=name)
-
-
-def _labels(quantities: Iterable[Quantity]) -> tuple[tuple[str, ...], tuple[str, ...]]:
-    """Names and units."""
-    return tuple(q.name for q in quantities), tuple(q.unit for q in quantities)
+def _restore(*content: Any) -> Model:
+    return Model._of(*content, compiled=None)

@@ -1,8 +1,13 @@
-"""NASA NESC check case 2."""
+"""NASA's atmospheric check cases."""
+
+import pytest
 
 from freebody.verify import nesc
 
 
-def test_body_rates_of_the_tumbling_brick():
-    (residual,) = nesc.case_02()
-    assert residual.passed, residual
+@pytest.mark.parametrize("number", nesc.MODELS)
+def test_residuals(number):
+    residuals = list(nesc.run(number))
+    assert len(residuals) in (2, 4)
+    for residual in residuals:
+        assert residual.passed, residual

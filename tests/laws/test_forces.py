@@ -152,7 +152,8 @@ def test_potential_energy_falls_by_the_power_of_its_force(force: fb.Force, momen
     model = fb.Model(BODY, [force])
     x, h = moment.x(model), 1e-5
     rate = model.derivative(moment.t, x)
-    potential = model.energies(np.zeros(2), np.array([x + h * rate, x - h * rate]))[1]
+    near = np.array([x + h * rate, x - h * rate])
+    potential = model.energies(np.zeros(2), near, np.zeros((2, model.n_inputs)))[1]
     power = moment.twist @ model.wrench(moment.t, x)
     # A central difference: h² times a third derivative of up to 1e3 W/s², and 1e-16 / h of some 1e2 J.
     assert abs((potential[0] - potential[1]) / (2.0 * h) + power) <= 1e-7 * max(1.0, abs(power))

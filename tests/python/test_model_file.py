@@ -1,25 +1,24 @@
 """Model files: what they mean, and what their errors say."""
 
 import re
+from importlib import import_module
 from pathlib import Path
+from pkgutil import iter_modules
+from typing import get_args
 
 import numpy as np
 import pytest
 from pydantic import BaseModel
 
 import freebody as fb
+from freebody import model_file
 from freebody.errors import InputError, ModelFileError
-from freebody.model_file import (
-    dispersion_schema,
-    force_schema,
-    load_model,
-    schema,
-    shipped_model,
-    shipped_names,
-)
+from freebody.model_file import load_model, shipped_model, shipped_names
+from freebody.model_file.sections import SECTIONS
 from freebody.model_file.units import FieldError, to_si
 
-PAGE = (Path(__file__).parents[2] / "docs" / "model-file.md").read_text()
+DOCS = Path(__file__).parents[2] / "docs"
+PAGE = (DOCS / "model-file.md").read_text()
 
 BRICK = """\
 [model]
@@ -277,17 +276,27 @@ def test_a_bad_csv_is_told_at_its_key(load, tmp_path, text, says):
     assert (caught.value.line, caught.value.key) == (9, "forces[0].csv")
 
 
-def test_the_page_has_every_key():
-    sections = [
+def test_the_pages_have_every_key():
+    """On the page of model files, or on one that it leads to."""
+    pages = PAGE + "".join(
+        (DOCS / name).read_text() for name in sorted(set(re.findall(r"\]\(([\w-]+\.md)", PAGE)))
+    )
+    modules = [import_module(f"freebody.model_file.{m.name}") for m in iter_modules(model_file.__path__)]
+    sections = {
         kind
-        for module in (schema, force_schema, dispersion_schema)
+        for module in modules
         for kind in vars(module).values()
         if isinstance(kind, type) and issubclass(kind, BaseModel)
-    ]
+    }
     keys = {key for section in sections for key in section.model_fields}
-    assert len(keys) > 50
-    ways = ("`{}`", "{} = ", "[{}]")
-    assert {key for key in keys if not any(way.format(key) in PAGE for way in ways)} == set()
+    assert len(keys) > 200
+    ways = ("`{}`", "{} = ", "[{}]", ".{}]")
+    assert {key for key in keys if not any(way.format(key) in pages for way in ways)} == set()
+
+
+def test_the_page_names_every_force():
+    types = {get_args(section.model_fields["type"].annotation)[0] for section in SECTIONS}
+    assert {word for word in types if f"`{word}`" not in PAGE} == set()
 
 
 def test_the_example_of_the_page_runs(tmp_path):

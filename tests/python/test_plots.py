@@ -70,3 +70,22 @@ def test_the_suffix_says_the_format(top, tmp_path, suffix, magic):
 def test_an_unknown_suffix_is_refused(top, tmp_path):
     with pytest.raises(InputError, match=r"\.png, \.svg, \.pdf; came '\.gif'"):
         plots.save(plots.figure(top), tmp_path / "top.gif")
+
+
+def test_a_planet_has_panels_of_its_own_and_what_is_kept_none_gives_room_to_inputs():
+    def titles(name):
+        return set(panels(plots.figure(load_model(shipped_model(name)).simulate())))
+
+    assert {"Altitude", "Speed over the ground", "Attitude, local axes"} <= titles(
+        "nesc_09_sphere_fired_east"
+    )
+    assert {"Altitude", "Speed", "Inputs"} <= titles("remus_100")
+    assert "Largest relative drift so far" in titles("dzhanibekov")
+    assert "Altitude" not in titles("dzhanibekov")
+
+
+def test_rounding_is_no_motion():
+    # The mass centre of the gyrostat rests: only rounding moves it, 1e-15 m.
+    drawing = plots.figure(load_model(shipped_model("gyrostat")).simulate())
+    low, high = drawing.axes[0].get_ylim()
+    assert all(np.ptp(np.asarray(line.get_ydata())) < 1e-3 * (high - low) for line in drawing.axes[0].lines)

@@ -122,11 +122,12 @@ def test_the_units_of_what_bodies_hold_are_said() -> None:
 
 def stub_functions(body: list[ast.stmt]) -> dict[str, list[str]]:
     """Names of the parameters of the functions of a stub file or class, without self and cls."""
-    return {
-        node.name: [a.arg for a in (*node.args.args, *node.args.kwonlyargs) if a.arg not in {"self", "cls"}]
-        for node in body
-        if isinstance(node, ast.FunctionDef)
-    }
+
+    def names(given: ast.arguments) -> list[str]:
+        several = [given.vararg] if given.vararg is not None else []
+        return [a.arg for a in (*given.args, *several, *given.kwonlyargs) if a.arg not in {"self", "cls"}]
+
+    return {node.name: names(node.args) for node in body if isinstance(node, ast.FunctionDef)}
 
 
 def parameters(function: object) -> list[str]:

@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 import xarray as xr
 
+import freebody as fb
 from freebody import results
 from freebody.errors import InputError
 from freebody.model_file import load_model, shipped_model
@@ -37,6 +38,22 @@ def test_every_variable_has_unit_and_meaning(dataset):
     for name, variable in dataset.data_vars.items():
         assert variable.attrs["units"], name
         assert variable.attrs["long_name"], name
+
+
+def test_a_mass_centre_that_moves_in_the_body_is_stored(run):
+    @fb.contents(inputs={"fuel": "kg"})
+    def tank(s):
+        return fb.mass_properties(mass=s.inputs.fuel, com=[0.0, 0.0, 1.0], inertia_about_com=np.zeros(3))
+
+    @fb.force(states={"fuel": (10.0, "kg")}, publishes=("fuel",), contents=(tank,))
+    def engine(s):
+        return fb.wrench(), {"fuel": -1.0 + 0.0 * s.states.fuel}
+
+    model = fb.Model(fb.RigidBody(5.0, inertia_about_com=np.eye(3)), [engine])
+    burning = results.to_dataset(model.simulate(model.state(), (0.0, 5.0), save_every=5.0))
+    np.testing.assert_allclose(burning["mass"], [15.0, 10.0])
+    np.testing.assert_allclose(burning["com"].sel(axis="z"), [10.0 / 15.0, 0.5])
+    assert "com" not in results.to_dataset(run)
 
 
 def test_netcdf_gives_back_what_it_took(dataset, tmp_path):

@@ -23,6 +23,13 @@ def test_the_results_are_ratios():
         assert all(ratio > 0 for ratios in by_threads.values() for ratio in ratios.values())
 
 
+def test_the_vehicles_are_ratios():
+    found = json.loads(PAGE["VEHICLES"].read_text())
+    assert set(found) == {"instruction_set", "operations", "ratios"}
+    assert set(found["operations"]) == set(found["ratios"])
+    assert all(ratio > 0 for ratios in found["ratios"].values() for ratio in ratios.values())
+
+
 def test_the_peers_are_pinned():
     lines = (ROOT / "bench/constraints.txt").read_text().splitlines()
     assert [line for line in lines if not re.fullmatch(r"[\w.-]+==[\w.]+", line)] == []

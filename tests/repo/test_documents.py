@@ -51,7 +51,9 @@ def test_python_blocks_run_and_print_what_the_page_shows(page, tmp_path, monkeyp
 
 @PAGES
 def test_every_name_of_the_library_exists(page):
-    owners = {"fb": fb, "forms": fb.forms, **{name: getattr(fb, name) for name in fb.__all__}}
+    # Dispersions call the parameters of the surroundings `environment.NAME`, as the module is called.
+    known = {name: getattr(fb, name) for name in fb.__all__ if name != "environment"}
+    owners = {"fb": fb, "forms": fb.forms, **known}
     code = " ".join(re.findall(r"`([^`\n]+)`", page.read_text()) + blocks(page, "py(?:thon)?"))
     for owner, name in re.findall(r"(?<![\w./])([A-Za-z]\w*)\.([A-Za-z]\w*)", code):
         if owner in owners:
@@ -62,6 +64,15 @@ def test_every_name_of_the_library_exists(page):
 def test_internal_links_resolve(page):
     for target in re.findall(r"\]\((?!https?:)([^)#\s]*)[^)]*\)", page.read_text()):
         assert (page.parent / target).exists(), target
+
+
+@PAGES
+def test_every_whole_model_file_shown_is_valid(page, tmp_path):
+    for text in blocks(page, "toml"):
+        if "[model]" in text:
+            path = tmp_path / "shown.toml"
+            path.write_text(text)
+            assert fb.load(path).x0 is not None
 
 
 def architecture_tree() -> list[Path]:

@@ -60,7 +60,7 @@ fn number<S: Lane>(x: S) -> f64 {
 impl<S: Lane, L: Lane> On<S, L> {
     /// The derivative under laws of users, with their states. Apart: without them all numbers have fixed places.
     #[inline(never)]
-    fn with_laws(&self, t: f64, x: &[f64], u: &[f64], dx: &mut [f64]) {
+    fn with_laws<const LEFT: bool>(&self, t: f64, x: &[f64], u: &[f64], dx: &mut [f64]) {
         L::call(
             #[inline(always)]
             || {
@@ -74,7 +74,8 @@ impl<S: Lane, L: Lane> On<S, L> {
                 let mut rate = Buffer::<S, { 2 * ON_STACK }>::new(x.len());
                 let rate = rate.slice();
                 let sizes = self.values.sizes();
-                self.values.rate::<true>(S::lit(t), Parts::of(x, sizes), u, Parts::of_mut(rate, sizes));
+                let (from, to) = (Parts::of(x, sizes), Parts::of_mut(rate, sizes));
+                self.values.rate::<true, LEFT>(S::lit(t), from, u, to);
                 for (d, r) in dx.iter_mut().zip(rate) {
                     *d = number(*r);
                 }
@@ -105,8 +106,11 @@ impl<S: Lane, L: Lane> On<S, L> {
 
 impl<S: Lane, L: Lane> Evaluate for On<S, L> {
     fn derivative(&self, t: f64, x: &[f64], u: &[f64], dx: &mut [f64]) {
+        if self.values.left.is_some() {
+            return self.with_laws::<true>(t, x, u, dx);
+        }
         if x.len() > self.values.rigid_size() || self.values.has_laws() {
-            return self.with_laws(t, x, u, dx);
+            return self.with_laws::<false>(t, x, u, dx);
         }
         // `S` rounds as a lane of `L` does, and in its instruction set it has more registers than in its own.
         L::call(
@@ -130,7 +134,7 @@ impl<S: Lane, L: Lane> Evaluate for On<S, L> {
                 // Were the ends of state and rate passed on, both would have to be in memory throughout.
                 let from = Parts { auxiliary: &[][..], ..Parts::of(&state, all) };
                 let to = Parts { auxiliary: &mut [][..], ..Parts::of_mut(&mut rate, all) };
-                self.values.rate::<false>(S::lit(t), from, input, to);
+                self.values.rate::<false, false>(S::lit(t), from, input, to);
                 Parts::of(&rate, all).convert(Parts::of_mut(dx, sizes), number);
             },
         );

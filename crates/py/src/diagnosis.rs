@@ -40,7 +40,13 @@ impl Model {
         let source = match culprit {
             Some(i) => {
                 let name = &self.law_names[i];
+                let mut contents = self.free_body.left.iter().flat_map(|left| &left.contents);
                 match forces.get(i) {
+                    Some(_) if contents.any(|own| own.force == i) => {
+                        format!(
+                            "force '{name}', its wrench, its contents or its states' rates, is not finite"
+                        )
+                    }
                     Some(f) if f.states().is_empty() => format!("the wrench of force '{name}' is not finite"),
                     Some(_) => format!("force '{name}', its wrench or its states' rates, is not finite"),
                     None => format!("control law '{name}' is not finite"),

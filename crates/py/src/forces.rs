@@ -5,13 +5,14 @@ use crate::graph::Program;
 use crate::laws;
 use freebody_core::algebra::{Mat6, Vec3};
 use freebody_core::forces::{
-    Axes, Coefficients, ConstantWrench, Force as Element, InputWrench, LinearDamping, PointMassGravity,
-    QuadraticDamping, TabulatedWrench, UniformGravity,
+    Axes, Coefficients, ConstantWrench, Field, Force as Element, HarmonicGravity, Harmonics, InputWrench,
+    LinearDamping, PointMassGravity, QuadraticDamping, TabulatedWrench, UniformGravity,
 };
 use freebody_core::scalar::{Interpolation, Table};
 use freebody_core::screw::Screw;
 use numpy::{PyReadonlyArray1, PyReadonlyArray2, PyUntypedArrayMethods};
 use pyo3::prelude::*;
+use std::sync::Arc;
 
 /// A force element of the core.
 #[pyclass(frozen, from_py_object, module = "freebody._core")]
@@ -33,6 +34,29 @@ impl Force {
     fn point_mass_gravity(mu: f64, center: [f64; 3], gradient_torque: bool) -> Self {
         let center = Vec3::from_array(center);
         Self(Element::PointMassGravity(PointMassGravity { mu, center, gradient_torque }))
+    }
+
+    /// `c` and `s` hold the normalised coefficients by rows, one row for each degree.
+    #[staticmethod]
+    fn harmonic_gravity(
+        mu: f64,
+        center: [f64; 3],
+        radius: f64,
+        c: PyReadonlyArray2<'_, f64>,
+        s: PyReadonlyArray2<'_, f64>,
+        rotation: [f64; 2],
+        gradient_torque: bool,
+    ) -> PyResult<Self> {
+        let (count, c, s) = (c.shape()[0].min(s.shape()[0]), c.as_slice()?, s.as_slice()?);
+        let mut field = Harmonics::zero(count - 1);
+        for n in 0..count {
+            for m in 0..=n {
+                *field.at(n, m) = [c[n * count + m], s[n * count + m]];
+            }
+        }
+        let field = Arc::new(Field::new(radius, field, gradient_torque));
+        let ([rotation_rate, angle], center) = (rotation, Vec3::from_array(center));
+        Ok(Self(Element::HarmonicGravity(HarmonicGravity { mu, center, field, rotation_rate, angle })))
     }
 
     #[staticmethod]

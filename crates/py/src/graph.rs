@@ -1,7 +1,7 @@
 //! `Graph` and `Program`: expressions, and what runs them.
 
 use crate::errors;
-use crate::tables::{Grid, Table};
+use crate::tables::AnyTable;
 use freebody_core::expression::{self as core, Id, Operation, ProgramError, Shortest, Simplify};
 use freebody_core::scalar::Elementary;
 use numpy::{PyArray1, PyArray2, PyArrayMethods, PyReadonlyArray2, PyUntypedArrayMethods};
@@ -113,16 +113,23 @@ impl Graph {
         self.apply(py, Operation::SelectLe, &[a, b, x, y])
     }
 
-    /// A table at an expression.
-    fn lookup(&mut self, py: Python<'_>, table: &Table, a: Id) -> PyResult<Id> {
-        let number = self.0.table(&table.table);
-        self.apply(py, Operation::Lookup(number), &[a])
-    }
-
-    /// A grid at two expressions.
-    fn lookup_2(&mut self, py: Python<'_>, grid: &Grid, a: Id, b: Id) -> PyResult<Id> {
-        let number = self.0.grid(&grid.grid);
-        self.apply(py, Operation::Lookup2(number), &[a, b])
+    /// A table of as many variables at expressions.
+    fn lookup(&mut self, py: Python<'_>, table: AnyTable<'_>, at: Vec<Id>) -> PyResult<Id> {
+        self.check(py, &at)?;
+        if at.len() != table.axes() {
+            return Err(errors::input(py, format!("a table of {} variables", table.axes())));
+        }
+        Ok(match table {
+            AnyTable::Table(t) => {
+                let number = self.0.table(&t.table);
+                self.0.apply(Operation::Lookup(number), &at)
+            }
+            AnyTable::Grid(t) => {
+                let number = self.0.grid(&t.grid);
+                self.0.apply(Operation::Lookup2(number), &at)
+            }
+            AnyTable::Lattice(t) => self.0.look_up(&t.lattice, &at),
+        })
     }
 
     /// Chooses the shortest ways to write expressions: with what occurs several times computed once, or written out.

@@ -3,7 +3,7 @@
 use crate::errors;
 use crate::graph::Program;
 use crate::model::Model;
-use freebody_core::forces::{Callback, Force as Element, Places, Traced};
+use freebody_core::forces::{Callback, Force as Element, Places, Source, Traced};
 use freebody_core::scalar::Block;
 use numpy::{PyArray1, PyArrayMethods, PyReadonlyArray2, PyUntypedArrayMethods};
 use pyo3::prelude::*;
@@ -60,36 +60,47 @@ pub fn traced(
         );
         return Err(errors::input(py, message));
     }
-    Ok(Traced::new(program, parameters, Places { inputs: vec![0; inputs], states: 0..states }))
+    Ok(Traced::new(program, parameters, Places::new(&vec![0; inputs], 0..states)))
 }
 
 /// A force that calls a function from (23 + inputs, n) given numbers to (6, n) wrenches.
 pub fn callback(function: Py<PyAny>, inputs: usize) -> Callback {
-    let places = Places { inputs: vec![0; inputs], states: 0..0 };
+    let places = Places::new(&vec![0; inputs], 0..0);
     Callback { block: Arc::new(PythonBlock(function)), places }
+}
+
+/// Sources as Python numbers them: from zero on inputs, below it auxiliary states, of which -1 is the first.
+pub fn sources(numbers: &[i64]) -> Vec<Source> {
+    let source = |n: &i64| if *n < 0 { Source::State(!*n as usize) } else { Source::Input(*n as usize) };
+    numbers.iter().map(source).collect()
 }
 
 /// Gives the laws the places of their inputs and, one after another, those of their states.
 pub fn place(
     forces: &mut [Element<f64>],
-    input_places: Vec<Vec<usize>>,
-    control: Option<(&mut Traced<f64>, Vec<usize>)>,
+    input_places: Vec<Vec<i64>>,
+    control: Option<(&mut Traced<f64>, Vec<i64>)>,
 ) {
     let mut next = 0;
     let mut own = |n: usize| {
         next += n;
         next - n..next
     };
-    for (force, inputs) in forces.iter_mut().zip(input_places) {
+    for (force, numbers) in forces.iter_mut().zip(input_places) {
+        let inputs = sources(&numbers);
         match force {
-            Element::InputWrench(f) => f.places.copy_from_slice(&inputs),
+            Element::InputWrench(f) => {
+                for (place, number) in f.places.iter_mut().zip(numbers) {
+                    *place = number as usize;
+                }
+            }
             Element::Traced(f) => f.places = Places { inputs, states: own(f.places.states.len()) },
             Element::Callback(f) => f.places.inputs = inputs,
             _ => {}
         }
     }
-    if let Some((law, inputs)) = control {
-        law.places = Places { inputs, states: own(law.places.states.len()) };
+    if let Some((law, numbers)) = control {
+        law.places = Places { inputs: sources(&numbers), states: own(law.places.states.len()) };
     }
 }
 

@@ -13,6 +13,7 @@ mod forces;
 mod forms;
 mod graph;
 mod laws;
+mod left;
 mod model;
 mod simulate;
 mod tables;
@@ -36,6 +37,7 @@ fn _core(m: &Bound<'_, PyModule>) -> PyResult<()> {
     m.add_class::<ensemble::EnsembleResult>()?;
     m.add_class::<tables::Table>()?;
     m.add_class::<tables::Grid>()?;
+    m.add_class::<tables::Lattice>()?;
     m.add_function(wrap_pyfunction!(forms::form, m)?)?;
     m.add_function(wrap_pyfunction!(simulate::simulate, m)?)?;
     m.add_function(wrap_pyfunction!(ensemble::run_ensemble, m)?)?;

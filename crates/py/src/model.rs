@@ -5,6 +5,7 @@ use crate::compiled::Compiled;
 use crate::errors;
 use crate::forces::Force;
 use crate::laws::{Control, place};
+use crate::left::{LeftArguments, left};
 use freebody_core::algebra::Vec3;
 use freebody_core::charts::Sequence;
 use freebody_core::evaluate::Evaluator;
@@ -36,23 +37,38 @@ impl Model {
         }
         Ok(x.as_slice()?.chunks(self.states).collect())
     }
+
+    /// A function of each time, state and input.
+    fn each<R>(
+        &self,
+        t: &PyReadonlyArray1<'_, f64>,
+        x: &PyReadonlyArray2<'_, f64>,
+        u: &PyReadonlyArray2<'_, f64>,
+        f: impl Fn(f64, &[f64], &[f64]) -> R,
+    ) -> PyResult<Vec<R>> {
+        let (t, rows, u) = (t.as_slice()?, self.rows(x)?, u.as_slice()?);
+        let inputs = |i: usize| &u[i * self.inputs..(i + 1) * self.inputs];
+        Ok(t.iter().zip(rows).enumerate().map(|(i, (t, x))| f(*t, x, inputs(i))).collect())
+    }
 }
 
 #[pymethods]
 impl Model {
     #[new]
     fn new(
+        py: Python<'_>,
         body: &RigidBody,
         forces: Vec<Force>,
         law_names: Vec<String>,
         sequence: Option<&str>,
         generalized: bool,
-        input_places: Vec<Vec<usize>>,
+        input_places: Vec<Vec<i64>>,
         n_inputs: usize,
         control: Option<Control>,
-        control_places: Vec<usize>,
+        control_places: Vec<i64>,
+        left_side: Option<LeftArguments<'_>>,
         compiled: Option<Compiled>,
-    ) -> Self {
+    ) -> PyResult<Self> {
         let mut elements: Vec<Element<f64>> = forces.into_iter().map(|f| f.0).collect();
         let mut control = control.map(|c| c.0);
         place(&mut elements, input_places, control.as_mut().map(|c| (c, control_places)));
@@ -62,11 +78,13 @@ impl Model {
         };
         let form = if generalized { Form::Generalized } else { Form::QuasiVelocity };
         let compiled = compiled.map(|c| c.0);
-        let unjoined = FreeBody { control, compiled, ..FreeBody::new(body.inertia, elements, chart, form) };
+        let left = left_side.map(|given| left(py, given)).transpose()?;
+        let unjoined =
+            FreeBody { control, left, compiled, ..FreeBody::new(body.inertia, elements, chart, form) };
         let free_body = unjoined.made_ready();
         let evaluator = Evaluator::new(&free_body);
         let states = Dynamics::<f64>::state_size(&free_body);
-        Self { free_body, evaluator, law_names, states, inputs: n_inputs }
+        Ok(Self { free_body, evaluator, law_names, states, inputs: n_inputs })
     }
 
     /// How many numbers a state has.
@@ -114,13 +132,9 @@ impl Model {
         x: PyReadonlyArray2<'py, f64>,
         u: PyReadonlyArray2<'py, f64>,
     ) -> PyResult<Array2<'py>> {
-        let (rows, u) = (self.rows(&x)?, u.as_slice()?);
-        let mut all = Vec::new();
-        for (i, (t, row)) in t.as_slice()?.iter().zip(&rows).enumerate() {
-            all.extend(self.free_body.commands(*t, row, &u[i * self.inputs..(i + 1) * self.inputs]));
-        }
+        let all = self.each(&t, &x, &u, |t, x, u| self.free_body.commands(t, x, u))?;
         let n_commands = self.free_body.control.as_ref().map_or(0, |law| law.result_count());
-        PyArray1::from_vec(py, all).reshape([rows.len(), n_commands])
+        PyArray1::from_vec(py, all.concat()).reshape([all.len(), n_commands])
     }
 
     /// The state of a motion, its auxiliary part zero; of its many angle triples the one nearest to `angles`.
@@ -152,27 +166,49 @@ impl Model {
         Ok(PyArray1::from_vec(py, x))
     }
 
-    /// Kinetic and potential energy (n,) of states at times.
+    /// Kinetic and potential energy (n,) of states at times under inputs.
     fn energies<'py>(
         &self,
         py: Python<'py>,
         t: PyReadonlyArray1<'py, f64>,
         x: PyReadonlyArray2<'py, f64>,
+        u: PyReadonlyArray2<'py, f64>,
     ) -> PyResult<(Array1<'py>, Array1<'py>)> {
-        let rows = self.rows(&x)?;
-        let at = |(t, row): (&f64, &&[f64])| self.free_body.energies(*t, &self.free_body.rigid_state(row));
-        let (kinetic, potential): (Vec<f64>, Vec<f64>) = t.as_slice()?.iter().zip(&rows).map(at).unzip();
+        let all = self.each(&t, &x, &u, |t, x, u| self.free_body.energies(t, x, u))?;
+        let (kinetic, potential): (Vec<f64>, Vec<f64>) = all.into_iter().unzip();
         Ok((PyArray1::from_vec(py, kinetic), PyArray1::from_vec(py, potential)))
     }
 
-    /// Momentum (n, 6) about the world origin, world axes, of states.
-    fn momenta<'py>(&self, py: Python<'py>, x: PyReadonlyArray2<'py, f64>) -> PyResult<Array2<'py>> {
-        let rows = self.rows(&x)?;
-        let mut out = vec![0.0; 6 * rows.len()];
-        for (row, o) in rows.iter().zip(out.chunks_mut(6)) {
-            self.free_body.momentum_world(&self.free_body.rigid_state(row)).store(o);
-        }
-        PyArray1::from_vec(py, out).reshape([rows.len(), 6])
+    /// Momentum (n, 6) about the world origin, world axes, of states at times under inputs.
+    fn momenta<'py>(
+        &self,
+        py: Python<'py>,
+        t: PyReadonlyArray1<'py, f64>,
+        x: PyReadonlyArray2<'py, f64>,
+        u: PyReadonlyArray2<'py, f64>,
+    ) -> PyResult<Array2<'py>> {
+        let all = self.each(&t, &x, &u, |t, x, u| {
+            let mut six = [0.0; 6];
+            self.free_body.momentum_world(t, x, u).store(&mut six);
+            six
+        })?;
+        PyArray1::from_vec(py, all.concat()).reshape([all.len(), 6])
+    }
+
+    /// Mass, mass centre and inertia about it (xx, xy, xz, yy, yz, zz), (n, 10), with contents, as for `momenta`.
+    fn inertias<'py>(
+        &self,
+        py: Python<'py>,
+        t: PyReadonlyArray1<'py, f64>,
+        x: PyReadonlyArray2<'py, f64>,
+        u: PyReadonlyArray2<'py, f64>,
+    ) -> PyResult<Array2<'py>> {
+        let all = self.each(&t, &x, &u, |t, x, u| {
+            let own = self.free_body.inertia_at(t, x, u);
+            let (r, j) = (own.com.to_array(), own.about_com.to_array());
+            [&[own.mass][..], &r, &j].concat()
+        })?;
+        PyArray1::from_vec(py, all.concat()).reshape([all.len(), 10])
     }
 
     /// Distance (n,) rad of states to the singularity of their angles; None without angles.

@@ -1,25 +1,25 @@
 //! Events and outputs.
 
 use crate::graph::Program;
-use crate::laws::traced;
+use crate::laws::{sources, traced};
 use freebody_core::forces::Traced;
 use freebody_core::watch::{Crossing, Event, Output, Take, Watched};
 use pyo3::prelude::*;
 
-/// Program, parameters, places of its inputs, "rising", "falling" or "both", and whether it ends the run.
-pub type EventArguments = (Program, Vec<f64>, Vec<usize>, String, bool);
-/// Program, parameters, places of its inputs, and "final", "min" or "max".
-pub type OutputArguments = (Program, Vec<f64>, Vec<usize>, String);
+/// Program, parameters, sources of its inputs, "rising", "falling" or "both", and whether it ends the run.
+pub type EventArguments = (Program, Vec<f64>, Vec<i64>, String, bool);
+/// Program, parameters, sources of its inputs, and "final", "min" or "max".
+pub type OutputArguments = (Program, Vec<f64>, Vec<i64>, String);
 
-/// What is watched; the places are those of inputs that the model has.
+/// What is watched; the sources are those that the model has.
 pub fn watched(
     py: Python<'_>,
     events: Vec<EventArguments>,
     outputs: Vec<OutputArguments>,
 ) -> PyResult<Watched> {
-    let law = |program: Program, parameters: Vec<f64>, places: Vec<usize>| -> PyResult<Traced<f64>> {
+    let law = |program: Program, parameters: Vec<f64>, places: Vec<i64>| -> PyResult<Traced<f64>> {
         let mut law = traced(py, program, parameters, 1, 0)?;
-        law.places.inputs.copy_from_slice(&places);
+        law.places.inputs = sources(&places);
         Ok(law)
     };
     let event = |(program, parameters, places, direction, terminal): EventArguments| {

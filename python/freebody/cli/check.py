@@ -35,4 +35,8 @@ def load(model: str) -> LoadedModel:
 def print_header(loaded: LoadedModel) -> None:
     """The model file's name and what it describes."""
     output.print(loaded.header.name, style="bold")
-    output.print(describe_model(loaded.model, loaded.t_span))
+    output.print(
+        describe_model(
+            loaded.model, loaded.t_span, stages=loaded.stages, events=loaded.options.get("events", ())
+        )
+    )

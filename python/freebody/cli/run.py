@@ -10,6 +10,7 @@ import typer
 
 from freebody.model_file import LoadedModel
 from freebody.report import summary
+from freebody.simulation import stages_of
 
 from .check import ModelArgument, load, print_header
 from .console import errors, output
@@ -53,7 +54,12 @@ def run(
     written = {}
     points = loaded.output.points
     if len(trajectory) > 0:
-        dataset = results.to_dataset(trajectory, points=points, attributes=_attributes(loaded))
+        dataset = results.to_dataset(
+            trajectory,
+            points=points,
+            tracks=[loaded.tracks(stage) for stage in stages_of(trajectory)],
+            attributes=_attributes(loaded),
+        )
         results.save(dataset, data)
         written["data"] = data
     if len(trajectory) > 1 and figure is not None:

@@ -116,8 +116,8 @@ class Draws:
     def of_laws(self) -> Iterator[tuple[Target, int, LawParameter]]:
         """What is dispersed of laws: the place of the law, -1 for the control law, and the parameter."""
         for target in self.targets:
-            if target.law is not None and target.parameter is not None:
-                yield target, target.law, target.parameter
+            for law, parameter in target.places:
+                yield target, law, parameter
 
     def _parameters(self, values: Mapping[str, Array]) -> tuple[NDArray[np.int64], Array] | None:
         places, entered = [], []

@@ -9,18 +9,18 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import ArrayLike
 
-from freebody import _check, _core
+from freebody import _check
 from freebody._check import Array
 from freebody.body import RigidBody
 from freebody.ensembles.dispersion import Dispersion
 from freebody.ensembles.draws import Draw, Draws
+from freebody.ensembles.integrate import integrated, joined, rewatched
 from freebody.ensembles.law_parameters import with_parameters
 from freebody.ensembles.mass_properties import Bodies, bodies
-from freebody.ensembles.runs import Chunk, Runs, chunk_of
+from freebody.ensembles.runs import Chunk, Runs
 from freebody.ensembles.sampling import Sampling, checked_n
 from freebody.errors import InputError
-from freebody.simulation import InputTable, Method, Settings, Trajectory, checked_settings, watched
-from freebody.simulation.inputs import core_table
+from freebody.simulation import InputTable, Method, Settings, Trajectory, Watched, checked_settings, watched
 from freebody.tracing import EventLaw, OutputLaw
 
 if TYPE_CHECKING:
@@ -109,6 +109,11 @@ class Ensemble:
         return self._draws.draw(first, count)
 
     @property
+    def notices(self) -> tuple[str, ...]:
+        """What the forces of the model may have to say of a run."""
+        return self._watched.messages
+
+    @property
     def nominal_inputs(self) -> tuple[Array, InputTable | None]:
         """The inputs before what is dispersed of them: constants (n_inputs,), and a table if there is one."""
         return self._draws.constant, self._draws.table
@@ -127,6 +132,7 @@ class Ensemble:
             base.form,
             control=None if base.control is None else with_parameters(base.control, own.get(-1, {})),
             name=base.name,
+            environment=base.environment,
         )
 
     def initial_state(self, r: int) -> Array:
@@ -140,7 +146,8 @@ class Ensemble:
 
     def trajectory(self, r: int, t_span: tuple[float, float], **options: Any) -> Trajectory:
         """Run r alone; `options` are those of `Model.simulate`."""
-        own = {"inputs": self.inputs(r), "events": self.events, "outputs": self.outputs}
+        watch = self._watched_of(r)
+        own = {"inputs": self.inputs(r), "events": watch.events, "outputs": watch.outputs}
         return self.model(r).simulate(self.initial_state(r), t_span, **own, **options)
 
     def _values(self, r: int) -> dict[str, Array]:
@@ -251,26 +258,27 @@ class Ensemble:
         progress: Callable[[int], object] | None = None,
     ) -> Chunk:
         """What the runs `first` to `first + count - 1` gave; `progress` is told how many are done."""
-        draw, watch = self.sample(first, count), self._watched
-        result = _core.run_ensemble(
-            self.base,
-            draw.x0,
-            settings.span,
-            bodies=draw.bodies,
-            parameters=draw.parameters,
-            constants=draw.inputs,
-            table=None if self._draws.table is None else core_table(self._draws.table),
-            save_at=settings.times,
-            events=watch.core_events,
-            outputs=watch.core_outputs,
-            method=settings.method,
-            tolerance=settings.tolerance,
-            step=settings.step,
-            max_steps=settings.max_steps,
-            threads=0 if threads is None else _check.count("threads", threads),
-            progress=progress,
-        )
-        return chunk_of(result, draw.dispersed, settings, watch)
+        draw, table = self.sample(first, count), self._draws.table
+        workers = 0 if threads is None else _check.count("threads", threads)
+        if not self._watches_dispersed:
+            return integrated(self.base, draw, table, self._watched, settings, workers, progress)
+        # The core has one set of events and outputs for all runs of a call.
+        chunks = []
+        for r in range(first, first + count):
+            chunks.append(
+                integrated(self.base, self.sample(r, 1), table, self._watched_of(r), settings, 1, None)
+            )
+            if progress is not None:
+                progress(len(chunks))
+        return joined(chunks)
+
+    @property
+    def _watches_dispersed(self) -> bool:
+        """Whether events or outputs read what is dispersed of the environment."""
+        return self._watched_of(0) is not self._watched
+
+    def _watched_of(self, r: int) -> Watched:
+        return rewatched(self.base, self._watched, self._values(r))
 
     def __repr__(self) -> str:
         return (

@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 import copy
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from typing import Any, NamedTuple, TypeVar
 
 import numpy as np
 
 from freebody._check import Array
+from freebody.elements.harmonics import HarmonicGravity
 from freebody.forces import (
     ConstantWrench,
     Control,
@@ -22,9 +23,10 @@ from freebody.forces import (
 )
 from freebody.tracing.law import Law
 
-__all__ = ["LawParameter", "parameters", "with_parameters"]
+__all__ = ["LawParameter", "parameters", "shared_name", "with_parameters", "with_shared"]
 
 L = TypeVar("L", Force, Control)
+W = TypeVar("W", bound=Law)
 
 XYZ = ("x", "y", "z")
 
@@ -44,6 +46,8 @@ class LawParameter(NamedTuple):
         Number i of the core is `weights[i]` times component `columns[i]`.
     positive
         Whether it must be.
+    shared
+        Whether other laws have the same.
     """
 
     attribute: str
@@ -54,6 +58,7 @@ class LawParameter(NamedTuple):
     columns: tuple[int, ...]
     weights: Array
     positive: bool = False
+    shared: bool = False
 
 
 def _numbers(
@@ -77,11 +82,12 @@ def parameters(law: Force | Control) -> Iterator[LawParameter]:
     """The parameters of a law; a callback has none."""
     if isinstance(law, Law):
         for i, (name, value) in enumerate(law.parameters.items()):
-            yield _numbers(name, (), law.parameter_units[name], value, i)
+            own = _numbers(name, (), law.parameter_units[name], value, i)
+            yield own._replace(shared=name in law.shared)
     elif isinstance(law, UniformGravity):
         nominal = np.array([law.acceleration])
         yield LawParameter("acceleration", (), ("m/s^2",), nominal, (0, 1, 2), (0, 0, 0), law.direction)
-    elif isinstance(law, PointMassGravity):
+    elif isinstance(law, PointMassGravity | HarmonicGravity):
         yield _numbers("mu", (), "m^3/s^2", law.mu, 0, positive=True)
         yield _numbers("center", XYZ, "m", law.center, 1)
     elif isinstance(law, ConstantWrench):
@@ -118,6 +124,19 @@ def _coefficients(law: LinearDamping | QuadraticDamping) -> LawParameter:
 
 _LINEAR = (("N s/m", "N s"), ("N s", "N m s"))
 _QUADRATIC = (("N s^2/m^2", "N s^2"), ("N s^2/m", "N m s^2"))
+
+
+def shared_name(parameter: str) -> str:
+    """How the quantity is called that sets a shared parameter in all laws that have it."""
+    return f"environment.{parameter}"
+
+
+def with_shared(law: W, values: Mapping[str, Array]) -> W:
+    """The same law with the shared parameters that are among draws (1, 1) by the names of quantities."""
+    own: dict[str, Any] = {
+        name: float(values[q][0, 0]) for name in law.shared if (q := shared_name(name)) in values
+    }
+    return law(**own) if own else law
 
 
 def with_parameters(law: L, values: dict[str, Array]) -> L:

@@ -55,6 +55,10 @@ def variables(ensemble: Ensemble, settings: Settings) -> dict[str, Variable]:
         )
         found["event_count"] = Variable(("run", "event"), "uint32", {"long_name": "how often the event came"})
         found["event_state"] = _number(("run", "event", "state"), "state when the event came first")
+    if ensemble.notices:
+        found["notice_time"] = _number(
+            ("run", "notice"), "from when on a notice held first, NaN where it did not", "s"
+        )
     return found
 
 
@@ -83,6 +87,8 @@ def coordinates(
     found["quantity_factor"] = ("quantity", _factor_numbers(ensemble), meaning)
     if ensemble.events:
         found["event"] = ("event", np.array([event.name for event in ensemble.events]), {})
+    if ensemble.notices:
+        found["notice"] = ("notice", np.array(ensemble.notices), {})
     if settings.times is not None:
         found["time"] = ("time", settings.times, {"units": "s", "long_name": "time"})
     return found

@@ -11,7 +11,7 @@ import numpy as np
 
 from freebody._check import Array, shown
 from freebody.body import RigidBody
-from freebody.ensembles.law_parameters import XYZ, LawParameter, parameters
+from freebody.ensembles.law_parameters import XYZ, LawParameter, parameters, shared_name
 from freebody.ensembles.mass_properties import LOG_CHOLESKY, log_cholesky, principal
 from freebody.ensembles.start import Start
 from freebody.errors import InputError
@@ -38,10 +38,9 @@ class Target:
         Whether its values are in themselves changes of something else, so that zero is nominal.
     owner
         What it belongs to, as messages say it.
-    law
-        The place of its law among those that act, -1 for the control law.
-    parameter
-        Which parameter of that law it is.
+    places
+        The laws that it belongs to, by their places among those that act, -1 for the control law; which
+        parameter of each it is.
     """
 
     name: str
@@ -51,8 +50,7 @@ class Target:
     positive: bool = False
     relative: bool = False
     owner: str = "the body"
-    law: int | None = None
-    parameter: LawParameter | None = None
+    places: tuple[tuple[int, LawParameter], ...] = ()
 
     @property
     def size(self) -> int:
@@ -80,13 +78,26 @@ def quantities(model: Model, start: Start, inputs: Array | None) -> Iterator[Tar
         yield Target(name, (), (unit,), nominal, relative=inputs is None, owner="the inputs")
     yield from _body(model)
     laws = [*enumerate(model.forces), *([] if model.control is None else [(-1, model.control)])]
+    shared: dict[tuple[str, str, float], list[tuple[int, LawParameter]]] = {}
     for place, law in laws:
         for p in parameters(law):
+            if p.shared:
+                key = (p.attribute, p.units[0], float(p.nominal[0]))
+                shared.setdefault(key, []).append((place, p))
+                continue
             name = f"{law.name}.{p.attribute}"
-            kind = "the control law" if place < 0 else f"forces[{place}]"
+            owner = _owner(place)
             yield Target(
-                name, p.components, p.units, p.nominal, p.positive, owner=kind, law=place, parameter=p
+                name, p.components, p.units, p.nominal, p.positive, owner=owner, places=((place, p),)
             )
+    for places in shared.values():
+        _, p = places[0]
+        owner = f"the environment of {', '.join(_owner(place) for place, _ in places)}"
+        yield Target(shared_name(p.attribute), (), p.units, p.nominal, owner=owner, places=tuple(places))
+
+
+def _owner(place: int) -> str:
+    return "the control law" if place < 0 else f"forces[{place}]"
 
 
 def _motion(start: Start) -> Iterator[Target]:

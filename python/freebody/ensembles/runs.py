@@ -22,8 +22,15 @@ Chunk: TypeAlias = dict[str, NDArray[Any]]
 """Arrays of some runs by the names of `layout.variables`, run first."""
 
 
-def chunk_of(result: _core.EnsembleResult, dispersed: Array, settings: Settings, watch: Watched) -> Chunk:
-    """What one call of the core gave."""
+def chunk_of(
+    result: _core.EnsembleResult,
+    dispersed: Array,
+    settings: Settings,
+    watch: Watched,
+    at_start: Array | None,
+) -> Chunk:
+    """What one call of the core gave; `at_start` has the values of the notices at the start, (n, k)."""
+    known = len(watch.events)
     counts = result.counts
     chunk: Chunk = {
         "outcome": result.outcomes,
@@ -40,9 +47,11 @@ def chunk_of(result: _core.EnsembleResult, dispersed: Array, settings: Settings,
         chunk["outputs"] = result.outputs
     if watch.events:
         chunk["stopped_by"] = result.stopped_by
-        chunk["event_time"] = result.event_times
-        chunk["event_count"] = result.event_counts
-        chunk["event_state"] = result.event_states
+        chunk["event_time"] = result.event_times[:, :known]
+        chunk["event_count"] = result.event_counts[:, :known]
+        chunk["event_state"] = result.event_states[:, :known]
+    if at_start is not None:
+        chunk["notice_time"] = np.where(at_start < 0.0, settings.span[0], result.event_times[:, known:])
     return chunk
 
 
@@ -106,6 +115,12 @@ class Runs:
         """When each event came first, (n,) s each, by name; NaN where it did not."""
         names = [event.name for event in self.ensemble.events]
         return dict(zip(names, self.chunk["event_time"].T, strict=True)) if names else {}
+
+    @property
+    def notice_times(self) -> dict[str, Array]:
+        """From when on each notice held first, (n,) s each, by its message; NaN where it did not."""
+        messages = self.ensemble.notices
+        return dict(zip(messages, self.chunk["notice_time"].T, strict=True)) if messages else {}
 
     @property
     def names(self) -> tuple[str, ...]:

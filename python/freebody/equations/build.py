@@ -82,6 +82,8 @@ def equations(
         _check.choice("angles", angles, ("quaternion", *_check.SEQUENCES))
     if not entry.takes_forces and given_forces is not None:
         raise InputError(f"forces: form {form} has no wrench in it; leave them out")
+    if form != "3.2":
+        _refuse_left_side(form, forces)
     variables = Variables(
         _core.Graph(simplify, expand_angles),
         angles,
@@ -96,3 +98,12 @@ def equations(
     in_angles = f", angles {angles}" if entry.needs_angles else ""
     title = f"Konoplev {entry.title}{in_angles}"
     return Equations(variables.graph, form, title, variables.ordered_groups(results), results, balance)
+
+
+def _refuse_left_side(form: str, forces: Iterable[Force] | None) -> None:
+    for force in forces or ():
+        if isinstance(force, Force) and (force.added_mass is not None or force.spins or force.contents):
+            raise InputError(
+                f"form: {form} is that of a body alone, and force {force.name!r} brings added mass, wheels "
+                'or contents; give the model with form="3.2", which has them'
+            )

@@ -12,6 +12,7 @@ from freebody.equations.symbols import Group, Symbols, angle_names
 from freebody.errors import InputError
 from freebody.forces import Force
 from freebody.model import Model
+from freebody.signals import reads_inputs
 from freebody.tracing import Callback
 
 __all__ = ["Variables"]
@@ -197,7 +198,7 @@ class Variables:
             situation = [*self.position, *self.rotation, *self.twist]
         model = self.model("quaternion")
         # A model whose forces read nothing has an applied wrench of its own, which is none of these forces.
-        read = any(f.inputs for f in model.forces)
+        read = reads_inputs(model.forces)
         zero = self.graph.constant(0.0)
         u = self.inputs(model) if read else [zero] * len(model.input_names)
         own = slice(13, None)  # behind the rigid body's thirteen

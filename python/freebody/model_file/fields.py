@@ -4,16 +4,16 @@ from __future__ import annotations
 
 import difflib
 from collections.abc import Iterable
-from typing import Any
+from typing import Any, get_args
 
 import numpy as np
 from numpy.typing import NDArray
-from pydantic import BaseModel, ConfigDict, model_validator
+from pydantic import BaseModel, ConfigDict, GetCoreSchemaHandler, model_validator
 from pydantic_core import CoreSchema, core_schema
 
 from .units import FieldError, Shape, to_si
 
-__all__ = ["Choice", "Quantity", "Section", "did_you_mean"]
+__all__ = ["Choice", "OneOf", "Quantity", "Section", "did_you_mean"]
 
 
 class Quantity:
@@ -45,6 +45,18 @@ class Choice:
         if value not in self.words:
             raise FieldError(f"unknown word {value!r}{did_you_mean(value, self.words)}")
         return value
+
+
+class OneOf:
+    """One of several sections, told by the word that each has under the key `tag`."""
+
+    def __init__(self, tag: str, sections: Iterable[type[Section]]) -> None:
+        self.tag, self.sections = tag, tuple(sections)
+
+    def __get_pydantic_core_schema__(self, source: Any, handler: GetCoreSchemaHandler) -> CoreSchema:
+        words = {get_args(s.model_fields[self.tag].annotation)[0]: s for s in self.sections}
+        schemas = {word: handler.generate_schema(section) for word, section in words.items()}
+        return core_schema.tagged_union_schema(schemas, self.tag)
 
 
 class Section(BaseModel):
@@ -85,5 +97,6 @@ class Section(BaseModel):
 def did_you_mean(word: Any, known: Iterable[str]) -> str:
     """`; did you mean ...?` where a known word is near, and what is known."""
     words = list(known)
-    near = difflib.get_close_matches(str(word), words, n=1, cutoff=0.6)
-    return (f"; did you mean {near[0]!r}?" if near else "") + f" (known: {', '.join(words)})"
+    folded = {w.casefold(): w for w in words}
+    near = difflib.get_close_matches(str(word).casefold(), folded, n=1, cutoff=0.6)
+    return (f"; did you mean {folded[near[0]]!r}?" if near else "") + f" (known: {', '.join(words)})"

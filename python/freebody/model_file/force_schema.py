@@ -6,11 +6,14 @@ from typing import Annotated, Literal
 
 from pydantic import Field, model_validator
 
+from freebody import forces
 from freebody._check import Array
 
-from .fields import Choice, Quantity, Section
+from .context import Context, ForceSection
+from .csv_table import read_table
+from .fields import Choice, Quantity
 
-__all__ = ["AnyForce", "TabulatedWrench"]
+__all__ = ["SECTIONS"]
 
 Axes = Annotated[str, Choice("body", "world")]
 Point = Annotated[Array, Quantity("m", (3,))]
@@ -21,7 +24,7 @@ _AXES = Field(default=None, description="axes of force and moment: body or world
 _AT = Field(default=None, description="point of application from the origin o1, body axes")
 
 
-class UniformGravity(Section):
+class UniformGravity(ForceSection):
     """The same acceleration everywhere, Konoplev (1.12)."""
 
     type: Literal["uniform_gravity"]
@@ -31,8 +34,11 @@ class UniformGravity(Section):
         default=None, description="down, world axes"
     )
 
+    def element(self, context: Context) -> forces.Force:
+        return forces.UniformGravity(**self.given("type"))
 
-class PointMassGravity(Section):
+
+class PointMassGravity(ForceSection):
     """The attraction of a point mass."""
 
     type: Literal["point_mass_gravity"]
@@ -45,8 +51,11 @@ class PointMassGravity(Section):
         default=None, description="whether the gravity gradient turns the body"
     )
 
+    def element(self, context: Context) -> forces.Force:
+        return forces.PointMassGravity(**self.given("type"))
 
-class ConstantWrench(Section):
+
+class ConstantWrench(ForceSection):
     """A force and a moment, constant in the axes they are given in."""
 
     type: Literal["constant_wrench"]
@@ -56,8 +65,11 @@ class ConstantWrench(Section):
     axes: Axes | None = _AXES
     at: Point | None = _AT
 
+    def element(self, context: Context) -> forces.Force:
+        return forces.ConstantWrench(**self.given("type"))
 
-class TabulatedWrench(Section):
+
+class TabulatedWrench(ForceSection):
     """A force and a moment by time, from the file itself or from a CSV file beside it."""
 
     type: Literal["tabulated_wrench"]
@@ -86,24 +98,36 @@ class TabulatedWrench(Section):
             self.at_most_one("csv", "moment")
         return self
 
+    def element(self, context: Context) -> forces.Force:
+        values = self.given("type", "csv")
+        if self.csv is not None:
+            values |= read_table(self.csv, f"{context.key}.csv", context.source)
+        return forces.TabulatedWrench(**values)
 
-class LinearDamping(Section):
+
+class LinearDamping(ForceSection):
     """F = -D V."""
 
     type: Literal["linear_damping"]
     name: str | None = _NAME
     coefficients: Damping = Field(description="D in SI units, its diagonal or all of it, linear part first")
 
+    def element(self, context: Context) -> forces.Force:
+        return forces.LinearDamping(**self.given("type"))
 
-class QuadraticDamping(Section):
+
+class QuadraticDamping(ForceSection):
     """F = -D (|V| V)."""
 
     type: Literal["quadratic_damping"]
     name: str | None = _NAME
     coefficients: Damping = Field(description="D in SI units, its diagonal or all of it, linear part first")
 
+    def element(self, context: Context) -> forces.Force:
+        return forces.QuadraticDamping(**self.given("type"))
 
-class InputWrench(Section):
+
+class InputWrench(ForceSection):
     """Six inputs, a force and a moment, that the caller of `simulate` gives."""
 
     type: Literal["input_wrench"]
@@ -111,14 +135,16 @@ class InputWrench(Section):
     axes: Axes | None = _AXES
     at: Point | None = _AT
 
+    def element(self, context: Context) -> forces.Force:
+        return forces.InputWrench(**self.given("type"))
 
-AnyForce = Annotated[
-    UniformGravity
-    | PointMassGravity
-    | ConstantWrench
-    | TabulatedWrench
-    | LinearDamping
-    | QuadraticDamping
-    | InputWrench,
-    Field(discriminator="type"),
-]
+
+SECTIONS: tuple[type[ForceSection], ...] = (
+    UniformGravity,
+    PointMassGravity,
+    ConstantWrench,
+    TabulatedWrench,
+    LinearDamping,
+    QuadraticDamping,
+    InputWrench,
+)

@@ -5,23 +5,27 @@ from __future__ import annotations
 from typing import Annotated, Any
 
 import numpy as np
-from pydantic import BeforeValidator, Field, model_validator
+from pydantic import Field, model_validator
 
 from freebody._check import Array
 from freebody.forms import SEQUENCES
 from freebody.simulation.settings import FIXED_STEP, METHODS
 
+from .attitude_schema import AttitudeTable
 from .dispersion_schema import AnyDistribution, EnsembleTable
+from .environment_schema import EnvironmentTable
+from .event_schema import Crossing, EventTable
 from .fields import Choice, Quantity, Section
-from .force_schema import AnyForce
+from .planet_schema import StartOnPlanet, TrackTable
+from .stage_schema import StageTable
 from .units import FieldError
+from .vehicle_schema import Vehicle
 
-__all__ = ["AttitudeTable", "Body", "Header", "Inertia", "Initial", "ModelFile", "Output", "Simulation"]
+__all__ = ["Header", "Initial", "ModelFile", "Output", "Simulation"]
 
 Velocity = Annotated[Array | None, Quantity("m/s", (3,))]
 AngularVelocity = Annotated[Array | None, Quantity("rad/s", (3,))]
 Point = Annotated[Array, Quantity("m", (3,))]
-Moment = Annotated[float | None, Quantity("kg m^2")]
 Duration = Annotated[float | None, Quantity("s", positive=True)]
 Tolerance = Annotated[float | None, Quantity("", positive=True)]
 
@@ -34,91 +38,7 @@ class Header(Section):
     sources: list[str] = Field(default_factory=list, description="where the numbers come from")
 
 
-class Inertia(Section):
-    """An inertia tensor: a 3 x 3 array, or a table of principal moments, or of named components."""
-
-    tensor: Annotated[Array | None, Quantity("kg m^2", (3, 3))] = Field(
-        default=None, description="the array itself"
-    )
-    principal: Annotated[Array | None, Quantity("kg m^2", (3,))] = Field(
-        default=None, description="principal moments"
-    )
-    axes: Annotated[Array | None, Quantity("", (3, 3))] = Field(
-        default=None, description="principal axes as columns, in body axes"
-    )
-    Ixx: Moment = Field(default=None, description="moment about the first axis")
-    Iyy: Moment = Field(default=None, description="moment about the second axis")
-    Izz: Moment = Field(default=None, description="moment about the third axis")
-    Pxy: Moment = Field(default=None, description="product as a positive integral: + the integral of x y dm")
-    Pxz: Moment = Field(default=None, description="+ the integral of x z dm")
-    Pyz: Moment = Field(default=None, description="+ the integral of y z dm")
-
-    @model_validator(mode="after")
-    def _check(self) -> Inertia:
-        keys = self.model_fields_set
-        moments = {"Ixx", "Iyy", "Izz"}
-        ways = (
-            ({"tensor"}, set[str]()),
-            ({"principal"}, {"axes"}),
-            (moments, {"Pxy", "Pxz", "Pyz"}),
-        )
-        if not any(needed <= keys <= needed | allowed for needed, allowed in ways):
-            raise FieldError(
-                "needs a 3 x 3 array, { principal, axes } or { Ixx, Iyy, Izz, Pxy, Pxz, Pyz }; "
-                f"came {', '.join(sorted(keys)) or 'nothing'}"
-            )
-        return self
-
-
-def _array_as_table(value: Any) -> Any:
-    return value if isinstance(value, dict) else {"tensor": value}
-
-
-AnyInertia = Annotated[Inertia, BeforeValidator(_array_as_table)]
-
-
-class Body(Section):
-    """[body], or one of [[parts]] rigidly joined: all vectors from the origin o1, in body axes."""
-
-    name: str | None = Field(default=None, description="how messages name it")
-    mass: Annotated[float, Quantity("kg")] = Field(description="the mass")
-    com: Point | None = Field(default=None, description="the mass centre")
-    inertia_about_com: AnyInertia | None = Field(
-        default=None, description="the inertia about the mass centre"
-    )
-    inertia_about_origin: AnyInertia | None = Field(
-        default=None, description="the inertia about the origin o1"
-    )
-
-    @model_validator(mode="after")
-    def _check(self) -> Body:
-        self.exactly_one("inertia_about_com", "inertia_about_origin")
-        return self
-
-
-class AttitudeTable(Section):
-    """The attitude, world from body: angles of a sequence, or a quaternion, or a rotation matrix."""
-
-    angles: Annotated[Array | None, Quantity("rad", (3,))] = Field(
-        default=None, description="three angles, with"
-    )
-    sequence: Annotated[str | None, Choice(*SEQUENCES)] = Field(
-        default=None, description="their intrinsic sequence"
-    )
-    quaternion: Annotated[Array | None, Quantity("", (4,))] = Field(default=None, description="w, x, y, z")
-    rotation: Annotated[Array | None, Quantity("", (3, 3))] = Field(
-        default=None, description="world from body"
-    )
-
-    @model_validator(mode="after")
-    def _check(self) -> AttitudeTable:
-        self.exactly_one("angles", "quaternion", "rotation")
-        if (self.angles is None) != (self.sequence is None):
-            raise FieldError('angles and their sequence go together: { angles = [...], sequence = "zyx" }')
-        return self
-
-
-class Initial(Section):
+class Initial(StartOnPlanet):
     """[initial]: the state at the start; what is left out is zero, the attitude the identity."""
 
     point: Annotated[str, Choice("origin", "com")] = Field(
@@ -130,6 +50,9 @@ class Initial(Section):
     velocity_world: Velocity = Field(default=None, description="of that point, world axes")
     angular_velocity_body: AngularVelocity = Field(default=None, description="body axes")
     angular_velocity_world: AngularVelocity = Field(default=None, description="world axes")
+    states: dict[str, Any] = Field(
+        default_factory=dict, description="auxiliary states by name, force.state = value"
+    )
 
     @model_validator(mode="after")
     def _check(self) -> Initial:
@@ -176,6 +99,9 @@ class Output(Section):
     points: dict[str, Point] = Field(
         default_factory=dict, description="material points, body axes, whose paths are kept"
     )
+    tracks: dict[str, TrackTable] = Field(
+        default_factory=dict, description="points of the body as seen from the planet"
+    )
     format: Annotated[str, Choice("netcdf", "csv")] = Field(
         default="netcdf", description="the data file's format"
     )
@@ -183,21 +109,28 @@ class Output(Section):
     @model_validator(mode="after")
     def _check(self) -> Output:
         self.at_most_one("save_every", "save_at")
-        for name in self.points:
-            if not name.isidentifier():
-                raise FieldError("the name of a point has letters, digits and _ only", ("points", name))
+        for what, names in (("point", self.points), ("track", self.tracks)):
+            for name in names:
+                if not name.isidentifier():
+                    raise FieldError(
+                        f"the name of a {what} has letters, digits and _ only", (f"{what}s", name)
+                    )
         return self
 
 
-class ModelFile(Section):
+class ModelFile(Vehicle):
     """A whole model file."""
 
     model: Header = Field(description="the table [model]")
-    body: Body | None = Field(default=None, description="the body")
-    parts: list[Body] | None = Field(
-        default=None, description="bodies that are rigidly joined into one, same frame"
+    environment: EnvironmentTable = Field(
+        default=EnvironmentTable(), description="the planet, the air or water, the wind"
     )
-    forces: list[AnyForce] = Field(default_factory=list, description="what acts on the body")
+    stages: list[StageTable] = Field(
+        default_factory=list, description="the bodies that go on, one after another"
+    )
+    events: list[EventTable] = Field(
+        default_factory=list, description="what is recorded when it happens, or ends the run"
+    )
     initial: Initial = Field(default=Initial(), description="the initial state")
     simulation: Simulation = Field(description="the table [simulation]")
     output: Output = Field(default=Output(), description="what is kept of the run")
@@ -208,9 +141,7 @@ class ModelFile(Section):
 
     @model_validator(mode="after")
     def _check(self) -> ModelFile:
-        self.exactly_one("body", "parts")
-        if self.parts == []:
-            raise FieldError("needs at least one part", ("parts",))
+        self._check_stages()
         start, end = self.simulation.start, self.simulation.end
         for section, times in (("output", self.output.save_at), ("ensemble", self.ensemble.save_at)):
             if times is not None and (times[0] < start or times[-1] > end or np.any(np.diff(times) <= 0)):
@@ -218,3 +149,22 @@ class ModelFile(Section):
                     f"the times must rise from {start:g} to {end:g} s at most", (section, "save_at")
                 )
         return self
+
+    def _check_stages(self) -> None:
+        start, end = self.simulation.start, self.simulation.end
+        before = start
+        for i, stage in enumerate(self.stages):
+            if isinstance(stage.begins, Crossing):
+                continue
+            if not before < stage.begins < end:
+                raise FieldError(
+                    f"must come after {before:g} s and before the end, {end:g} s; came {stage.begins:g} s",
+                    ("stages", i, "begins"),
+                )
+            before = stage.begins
+        names = set[str]()
+        for key, sections in (("stages", self.stages), ("events", self.events)):
+            for i, section in enumerate(sections):
+                if section.name in names:
+                    raise FieldError(f"the name {section.name!r} stands twice", (key, i, "name"))
+                names.add(section.name)

@@ -7,7 +7,7 @@ from typing import Literal, get_args
 
 from freebody._check import Array
 
-__all__ = ["GOOD_ENDS", "OUTCOMES", "ChartChange", "Conserved", "Outcome"]
+__all__ = ["GOOD_ENDS", "OUTCOMES", "ChartChange", "Conserved", "Notice", "Outcome", "told"]
 
 Status = Literal["reached_end", "event", "step_too_small", "step_limit", "non_finite", "step_too_large"]
 
@@ -16,6 +16,38 @@ OUTCOMES: tuple[str, ...] = (*get_args(Status), "not_run")
 
 GOOD_ENDS = OUTCOMES[:2]
 """Those of runs that reached their end, or an event that ends them: the first ones."""
+
+
+@dataclass(frozen=True)
+class Notice:
+    """What a run must say: a table was left, a tank ran dry.
+
+    Attributes
+    ----------
+    time
+        From when on, s.
+    law
+        The name of the force that says it.
+    message
+        What is the matter, and what holds instead.
+    from_start
+        Whether it was so from the start.
+    """
+
+    time: float
+    law: str
+    message: str
+    from_start: bool = False
+
+
+def told(notices: tuple[Notice, ...]) -> str:
+    """Notices as a part of a sentence, each once."""
+    text = ""
+    for notice in {n.message: n for n in reversed(notices)}.values():
+        often = sum(n.message == notice.message for n in notices)
+        when = "from the start" if notice.from_start else f"from {notice.time:.6g} s on"
+        text = f"; {when}: {notice.message}" + (f" ({often} times)" if often > 1 else "") + text
+    return text
 
 
 @dataclass(frozen=True)
@@ -36,6 +68,8 @@ class Outcome:
         The name of the force or the control law that was not finite, if one was.
     event
         The name of the event that ended the run, if one did.
+    notices
+        What the forces have to say, in the order of the times; the message says it too.
     """
 
     status: Status
@@ -44,6 +78,7 @@ class Outcome:
     message: str
     force: str | None = None
     event: str | None = None
+    notices: tuple[Notice, ...] = ()
 
     @property
     def ok(self) -> bool:

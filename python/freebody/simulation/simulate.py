@@ -4,7 +4,8 @@ from __future__ import annotations
 
 import time
 from collections.abc import Callable, Iterable
-from typing import TYPE_CHECKING
+from dataclasses import replace
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -12,7 +13,7 @@ from numpy.typing import ArrayLike
 from freebody import _check, _core
 from freebody.errors import InputError
 from freebody.simulation.inputs import InputTable, checked_inputs, core_table
-from freebody.simulation.outcome import ChartChange, Outcome, Status
+from freebody.simulation.outcome import ChartChange, Notice, Outcome, Status, told
 from freebody.simulation.settings import Method, checked_settings
 from freebody.simulation.trajectory import Trajectory
 from freebody.simulation.watching import Watched, watched
@@ -51,18 +52,29 @@ def simulate(
     watch = watched(model, events, outputs)
     constant, table = checked_inputs(inputs, model.n_inputs)
 
+    options: dict[str, Any] = {
+        "constant": constant,
+        "table": None if table is None else core_table(table),
+        "method": settings.method,
+        "tolerance": settings.tolerance,
+        "step": settings.step,
+        "max_steps": settings.max_steps,
+    }
+    at_start: list[float] = []
+    if watch.notices:
+        still = (settings.span[0], settings.span[0])
+        nothing = {"save_at": None, "progress": None, "events": []}
+        at_start = _core.simulate(
+            model, start, still, **options, **nothing, outputs=watch.core_notices
+        ).outputs
+
     began = time.perf_counter()
     result = _core.simulate(
         model,
         start,
         settings.span,
-        constant=constant,
-        table=None if table is None else core_table(table),
+        **options,
         save_at=settings.times,
-        method=settings.method,
-        tolerance=settings.tolerance,
-        step=settings.step,
-        max_steps=settings.max_steps,
         progress=progress,
         events=watch.core_events,
         outputs=watch.core_outputs,
@@ -79,7 +91,9 @@ def simulate(
     return Trajectory(
         model,
         (t, x, u),
-        _outcome(model, result, settings.span, watch),
+        _with_notices(
+            _outcome(model, result, settings.span, watch), watch.told(settings.span[0], at_start, result)
+        ),
         changes,
         result.counts,
         wall_time,
@@ -91,6 +105,12 @@ def simulate(
 def _change(attitude: str, when: float, left: bool, distance: float) -> ChartChange:
     charts = (attitude, "quaternion") if left else ("quaternion", attitude)
     return ChartChange(when, *charts, distance)
+
+
+def _with_notices(outcome: Outcome, notices: tuple[Notice, ...]) -> Outcome:
+    if not notices:
+        return outcome
+    return replace(outcome, message=outcome.message + told(notices), notices=notices)
 
 
 def _outcome(model: Model, result: _core.RunResult, span: tuple[float, float], watch: Watched) -> Outcome:

@@ -90,7 +90,7 @@ class Trajectory:
     @cached_property
     def commands(self) -> Mapping[str, Array]:
         """What the control law commanded, by the names of the inputs, (n,) each, in their units."""
-        columns = self.model.commands(self.t, self.x, np.ascontiguousarray(self.u)).T
+        columns = self.model.commands(*self._at).T
         return dict(zip(self.model.command_names, columns, strict=True))
 
     @cached_property
@@ -158,21 +158,43 @@ class Trajectory:
     @cached_property
     def com_position_world(self) -> Array:
         """Position of the mass centre, world axes, (n, 3) m."""
-        return self.point(self.model.body.com)
+        return self.position_world + (self.world_from_body @ self.com[:, :, None])[:, :, 0]
 
     @cached_property
     def com_velocity_world(self) -> Array:
-        """Velocity of the mass centre, world axes, (n, 3) m/s."""
-        swing = np.cross(self.angular_velocity_body, self.model.body.com)
-        return self._to_world(self.velocity_body + swing)
+        """Velocity of the material point at the mass centre, world axes, (n, 3) m/s."""
+        return self._to_world(self.velocity_body + np.cross(self.angular_velocity_body, self.com))
+
+    @cached_property
+    def _inertias(self) -> Array:
+        return self.model.inertias(*self._at)
+
+    @property
+    def mass(self) -> Array:
+        """Of the body with what it carries, (n,) kg."""
+        return self._inertias[:, 0]
+
+    @property
+    def com(self) -> Array:
+        """Its mass centre from the body origin, body axes, (n, 3) m."""
+        return self._inertias[:, 1:4]
+
+    @cached_property
+    def inertia_about_com(self) -> Array:
+        """Its inertia about the mass centre, body axes, (n, 3, 3) kg m²."""
+        return self._inertias[:, [4, 5, 6, 5, 7, 8, 6, 8, 9]].reshape(-1, 3, 3)
+
+    @property
+    def _at(self) -> tuple[Array, Array, Array]:
+        return self.t, self.x, np.ascontiguousarray(self.u)
 
     @cached_property
     def _energies(self) -> tuple[Array, Array]:
-        return self.model.energies(self.t, self.x)
+        return self.model.energies(*self._at)
 
     @property
     def kinetic_energy(self) -> Array:
-        """½ VᵀΘV, (n,) J."""
+        """½ VᵀΘV of the body with what it carries and with its wheels, (n,) J; without a fluid's."""
         return self._energies[0]
 
     @property
@@ -187,8 +209,11 @@ class Trajectory:
 
     @cached_property
     def momentum_world(self) -> Array:
-        """Momentum Z⁰ = LΘV about the world origin, world axes, (n, 6) kg m/s and kg m²/s. Konoplev (1.5)."""
-        return self.model.momenta(self.x)
+        """Momentum Z⁰ = LΘV about the world origin, world axes, (n, 6) kg m/s and kg m²/s. Konoplev (1.5).
+
+        Of the body with what it carries and with its wheels, without a fluid's.
+        """
+        return self.model.momenta(*self._at)
 
     @cached_property
     def singularity_distance(self) -> Array | None:

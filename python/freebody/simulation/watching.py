@@ -2,15 +2,16 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, NamedTuple, TypeAlias, TypeVar
 
 from freebody import _check, _core
 from freebody._check import Array
 from freebody.errors import InputError
-from freebody.signals import input_places
-from freebody.tracing import EventLaw, OutputLaw
+from freebody.signals import Source, input_places
+from freebody.simulation.outcome import Notice
+from freebody.tracing import EventLaw, NoticeLaw, OutputLaw
 
 if TYPE_CHECKING:
     from freebody.model import Model
@@ -42,17 +43,45 @@ class Occurrence:
 
 
 class Watched(NamedTuple):
-    """The events and outputs of a run, checked; as the core takes them."""
+    """The events and outputs of a run, checked; as the core takes them.
+
+    The core watches the notices of the model's forces as events behind the others. Whether one holds from the
+    start is told by a run of no length, of which they are the outputs.
+    """
 
     events: tuple[EventLaw, ...]
     outputs: tuple[OutputLaw, ...]
     core_events: list[CoreEvent]
     core_outputs: list[CoreOutput]
+    notices: tuple[tuple[str, EventLaw], ...]
+    core_notices: list[CoreOutput]
 
     def occurrences(self, result: _core.RunResult) -> tuple[Occurrence, ...]:
         """The events of a run."""
         rows = zip(*result.occurrences(), strict=True)
-        return tuple(Occurrence(self.events[place].name, float(t), x) for place, t, x in rows)
+        known = len(self.events)
+        return tuple(
+            Occurrence(self.events[place].name, float(t), x) for place, t, x in rows if place < known
+        )
+
+    @property
+    def messages(self) -> tuple[str, ...]:
+        """Of the notices."""
+        return tuple(_message(law) for _, law in self.notices)
+
+    def told(self, start: float, at_start: list[float], result: _core.RunResult) -> tuple[Notice, ...]:
+        """The notices of a run, of their values at the start and what came to pass later."""
+        found = [
+            Notice(start, name, _message(law), True)
+            for (name, law), value in zip(self.notices, at_start, strict=True)
+            if value < 0.0
+        ]
+        places, times, _ = result.occurrences()
+        for place, time in zip(places, times, strict=True):
+            if place >= len(self.events):
+                name, law = self.notices[place - len(self.events)]
+                found.append(Notice(float(time), name, _message(law)))
+        return tuple(found)
 
     def values(self, result: _core.RunResult) -> tuple[dict[str, float], dict[str, str]]:
         """The outputs of a run and their units, by name."""
@@ -66,23 +95,39 @@ def watched(model: Model, events: Iterable[EventLaw], outputs: Iterable[OutputLa
 
     Raises `InputError` for what is none, for a name that stands twice and for inputs that the model has not.
     """
-    if events == () and outputs == ():
-        return Watched((), (), [], [])
-    known = dict(
-        zip(
-            (*model.input_names, *model.command_names),
-            (*model.input_units, *model.command_units),
-            strict=True,
-        )
-    )
+    notices = notices_of(model)
+    if events == () and outputs == () and not notices:
+        return Watched((), (), [], [], (), [])
+    known = model.sources
     event_laws = _checked("events", events, EventLaw)
     output_laws = _checked("outputs", outputs, OutputLaw)
+    told = [_core_law("notice", law, known) for _, law in notices]
     return Watched(
         event_laws,
         output_laws,
-        [(*_core_law("event", law, known), law.direction, law.terminal) for law in event_laws],
+        [
+            *((*_core_law("event", law, known), law.direction, law.terminal) for law in event_laws),
+            *((*law, "falling", False) for law in told),
+        ],
         [(*_core_law("output", law, known), law.take) for law in output_laws],
+        notices,
+        [(*law, "final") for law in told],
     )
+
+
+def notices_of(model: Model) -> tuple[tuple[str, EventLaw], ...]:
+    """The notices of a model's forces and surroundings, each once, with the name of who says it."""
+    found: dict[EventLaw, str] = {}
+    for force in model.forces:
+        for law in force.notices:
+            found.setdefault(law, force.name)
+    for law in () if model.environment is None else model.environment.notices:
+        found.setdefault(law, "environment")
+    return tuple((name, law) for law, name in found.items())
+
+
+def _message(law: EventLaw) -> str:
+    return law.message if isinstance(law, NoticeLaw) else law.name
 
 
 def _checked(what: str, laws: Iterable[L], kind: type[L]) -> tuple[L, ...]:
@@ -104,7 +149,7 @@ def _checked(what: str, laws: Iterable[L], kind: type[L]) -> tuple[L, ...]:
 
 
 def _core_law(
-    what: str, law: EventLaw | OutputLaw, known: dict[str, str]
+    what: str, law: EventLaw | OutputLaw, known: Mapping[str, Source]
 ) -> tuple[_core.Program, list[float], list[int]]:
     places = input_places(f"{what} {law.name!r}", law.inputs, known)
     return law.program, list(law.parameters.values()), places

@@ -36,8 +36,8 @@ UFUNCS: dict[np.ufunc, Any] = {}
 """Element operations, as NumPy wraps functions of one element."""
 PRODUCTS: dict[np.ufunc, Callable[..., Any]] = {}
 """Operations on whole arrays that NumPy calls ufuncs too."""
-TABLES: dict[int, Callable[..., Any]] = {}
-"""What tables of so many arguments do."""
+TABLES: dict[type[Table], Callable[..., Any]] = {}
+"""What a table does with traced arguments."""
 FUNCTIONS: dict[Callable[..., Any], Callable[..., Any]] = {}
 """Functions of arrays."""
 
@@ -67,7 +67,7 @@ class Dispatches:
 
     def __freebody_lookup__(self, table: Table, at: tuple[Any, ...]) -> Any:
         current()
-        return TABLES[len(at)](table.core(), *at)
+        return TABLES[Table](table.core(), *at)
 
     def __array_function__(
         self, func: Callable[..., Any], types: object, args: tuple[Any, ...], kwargs: dict[str, Any]

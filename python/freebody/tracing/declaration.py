@@ -11,15 +11,23 @@ from freebody.errors import InputError
 from freebody.forces import Quantity, StateQuantity
 from freebody.units import dimension, to_si
 
-__all__ = ["Declared", "Parameter", "declared", "declared_inputs"]
+__all__ = ["Declared", "Parameter", "Shared", "declared", "declared_inputs"]
+
+
+class Shared(NamedTuple):
+    """Value and unit of a parameter that all laws of a model which have it have in common."""
+
+    value: float
+    unit: str
 
 
 class Parameter(NamedTuple):
-    """A parameter: its name, its unit of SI, its value."""
+    """A parameter: its name, its unit of SI, its value; whether other laws have the same."""
 
     name: str
     unit: str
     value: float
+    shared: bool = False
 
 
 class Declared(NamedTuple):
@@ -32,8 +40,10 @@ class Declared(NamedTuple):
 
 def declared(law: str, parameters: object, inputs: object, states: object) -> Declared:
     """Check what came with a decorator."""
+    values = _pairs(law, "parameters", parameters, "value")
+    given = _mapping(law, "parameters", parameters, "")
     return Declared(
-        tuple(Parameter(*entry) for entry in _pairs(law, "parameters", parameters, "value")),
+        tuple(Parameter(*entry, shared=isinstance(given[entry[0]], Shared)) for entry in values),
         declared_inputs(law, inputs),
         tuple(StateQuantity(*entry) for entry in _pairs(law, "states", states, "start value")),
     )

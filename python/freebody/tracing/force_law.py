@@ -2,11 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from typing import Any, TypeAlias, overload
 
+import numpy as np
+from numpy.typing import ArrayLike
+
 from freebody import _check, _core
-from freebody.forces import Force
+from freebody.interfaces import Contents, Force, Spin
 from freebody.tracing.declaration import declared
 from freebody.tracing.law import Law, Output, function_name, traced
 from freebody.tracing.results import rates, split
@@ -40,10 +43,27 @@ class ForceLaw(Law, Force):
         inputs: Mapping[str, str] | None = None,
         states: Declarations | None = None,
         name: str | None = None,
+        *,
+        publishes: Sequence[str] = (),
+        added_mass: ArrayLike | None = None,
+        spins: Sequence[Spin] = (),
+        contents: Sequence[Contents] = (),
+        notices: Sequence[Any] = (),
     ) -> None:
         own_name = function_name(function, "fb.force")
         super().__init__(own_name if name is None else name)
         self.__doc__ = function.__doc__
+        # Subclasses may have them as attributes of their own.
+        if publishes:
+            self.publishes = tuple(publishes)
+        if added_mass is not None:
+            self.added_mass = _check.vector(f"{own_name}: added_mass", added_mass, 6, 6)
+        if spins:
+            self.spins = tuple(spins)
+        if contents:
+            self.contents = tuple(contents)
+        if notices:
+            self.notices = tuple(notices)
         what = declared(own_name, parameters, inputs, states)
         self._parameters, self.inputs, self.states = what
 
@@ -57,6 +77,10 @@ class ForceLaw(Law, Force):
             return Output([*wrench.force, *wrench.moment, *rates(given, what.states)])
 
         self._program, _ = traced(own_name, function, what, finish)
+
+    def _content(self) -> tuple[object, ...]:
+        added = None if self.added_mass is None else np.asarray(self.added_mass, float).tobytes()
+        return (*super()._content(), self.publishes, self.spins, self.contents, self.notices, added)
 
     def core(self) -> _core.Force:
         return _core.Force.traced(self._program, [p.value for p in self._parameters], len(self.states))
@@ -73,6 +97,11 @@ def force(
     inputs: Mapping[str, str] | None = None,
     states: Declarations | None = None,
     name: str | None = None,
+    publishes: Sequence[str] = (),
+    added_mass: ArrayLike | None = None,
+    spins: Sequence[Spin] = (),
+    contents: Sequence[Contents] = (),
+    notices: Sequence[Any] = (),
 ) -> Callable[[Callable[..., Any]], ForceLaw]: ...
 
 
@@ -84,6 +113,11 @@ def force(
     inputs: Mapping[str, str] | None = None,
     states: Declarations | None = None,
     name: str | None = None,
+    publishes: Sequence[str] = (),
+    added_mass: ArrayLike | None = None,
+    spins: Sequence[Spin] = (),
+    contents: Sequence[Contents] = (),
+    notices: Sequence[Any] = (),
 ) -> ForceLaw | Callable[[Callable[..., Any]], ForceLaw]:
     """Make a force of a Python function of the situation `s`, and of its parameters `p`.
 
@@ -108,6 +142,12 @@ def force(
         `fb.wrench(...), {"servo": rate}`.
     name
         The function's, when omitted.
+    publishes
+        Names of its states that other laws read, as inputs of these names.
+    added_mass, spins, contents
+        What it puts on the left of the equations: see `Force`.
+    notices
+        Made by `freebody.notice`: what the outcome of every run has to say.
 
     Units are checked where they are known: those of `s` and `p` are, a literal number may have any, and so
     has what it multiplies. A derivative at a zero length, `np.linalg.norm` and `np.hypot`, is taken as zero.
@@ -122,6 +162,8 @@ def force(
     """
 
     def decorate(function: Callable[..., Any]) -> ForceLaw:
-        return ForceLaw(function, parameters, inputs, states, name)
+        left = {"added_mass": added_mass, "spins": spins, "contents": contents}
+        beside: dict[str, Any] = {"publishes": publishes, "notices": notices}
+        return ForceLaw(function, parameters, inputs, states, name, **left, **beside)
 
     return decorate if function is None else decorate(function)

@@ -58,6 +58,11 @@ class Law:
         """The units of the parameters by name."""
         return MappingProxyType({p.name: p.unit for p in self._parameters})
 
+    @property
+    def shared(self) -> frozenset[str]:
+        """Those of the parameters that other laws of a model have in common with this one."""
+        return frozenset(p.name for p in self._parameters if p.shared)
+
     def __call__(self: L, *positional: object, name: str | None = None, **values: float | str) -> L:
         """The same law with other values of parameters, and another name.
 

@@ -8,11 +8,12 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from freebody import _check, _core
+from freebody.tables import CoreTable, Table
 from freebody.tracing.array import FUNCTIONS, TABLES, Dispatches, each, plain, wrapped
 from freebody.tracing.scalar import Scalar, as_scalar
 from freebody.tracing.trace import current, fault
 
-__all__ = ["is_traced", "look_up", "look_up_2"]
+__all__ = ["is_traced", "look_up"]
 
 
 def is_traced(value: object) -> bool:
@@ -22,26 +23,15 @@ def is_traced(value: object) -> bool:
     return isinstance(value, Dispatches)
 
 
-def look_up(table: _core.Table, x: Any) -> Any:
-    """The value of a table at traced numbers of any shape; its unit is not known."""
+def look_up(table: CoreTable, *at: Any) -> Any:
+    """The value of a table at traced numbers of shapes that go together; its unit is not known."""
 
-    def one(x: Any) -> Scalar:
-        a = as_scalar(x)
+    def one(*at: Any) -> Scalar:
+        nodes = [as_scalar(x).node for x in at]
         trace = current()
-        return Scalar(trace, trace.lookup(table, a.node), None)
+        return Scalar(trace, trace.lookup(table, nodes), None)
 
-    return wrapped(each(np.frompyfunc(one, 1, 1), x))
-
-
-def look_up_2(grid: _core.Grid, x: Any, y: Any) -> Any:
-    """The value of a table of two arguments at traced numbers of shapes that go together."""
-
-    def one(x: Any, y: Any) -> Scalar:
-        a, b = as_scalar(x), as_scalar(y)
-        trace = current()
-        return Scalar(trace, trace.lookup_2(grid, a.node, b.node), None)
-
-    return wrapped(each(np.frompyfunc(one, 2, 1), x, y))
+    return wrapped(each(np.frompyfunc(one, len(at), 1), *at))
 
 
 def _interp(x: Any, xp: ArrayLike, fp: ArrayLike) -> Any:
@@ -56,4 +46,4 @@ def _interp(x: Any, xp: ArrayLike, fp: ArrayLike) -> Any:
 
 
 FUNCTIONS[np.interp] = _interp
-TABLES.update({1: look_up, 2: look_up_2})
+TABLES[Table] = look_up

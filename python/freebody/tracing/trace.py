@@ -3,11 +3,13 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 from contextvars import ContextVar
 from typing import Final
 
 from freebody import _core
 from freebody.errors import TraceError
+from freebody.tables import CoreTable
 from freebody.tracing import place
 from freebody.tracing.place import Place
 
@@ -47,11 +49,8 @@ class Trace:
     def select_le(self, a: int, b: int, x: int, y: int) -> int:
         return self._noted(self.graph.select_le(a, b, x, y), (a, b, x, y))
 
-    def lookup(self, table: _core.Table, a: int) -> int:
-        return self._noted(self.graph.lookup(table, a), (table, a))
-
-    def lookup_2(self, grid: _core.Grid, a: int, b: int) -> int:
-        return self._noted(self.graph.lookup_2(grid, a, b), (grid, a, b))
+    def lookup(self, table: CoreTable, at: Sequence[int]) -> int:
+        return self._noted(self.graph.lookup(table, at), (table, *at))
 
     def _noted(self, node: int, what: object) -> int:
         if self.log is not None:

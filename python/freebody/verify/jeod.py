@@ -1,4 +1,4 @@
-"""NASA JEOD SIM_dyncomp, runs 9A to 9C: a state whose origin is not at the mass centre.
+"""NASA JEOD SIM_dyncomp, runs 9A to 9C and 10A: a state whose origin is not at the mass centre.
 
 The published logs give the mass centre and the origin of the structure frame after eight hours. The model
 files put the body frame at the structure frame, so both points test the equations about an arbitrary origin.
@@ -74,6 +74,18 @@ FINALS = {
             (0.1690520479948245, -0.9727191068763098, -0.1588676939673716),
             (0.9656730014585525, 0.1312128771193781, 0.2241848235989362),
             (-0.1972233741796006, -0.191313146427029, 0.9615103851136525),
+        ),
+    ),
+    "10A": Final(
+        com_position=(-1024262.411095882, -6151093.565368023, 2599975.06217899),
+        com_velocity=(4736.659484718068, -3000.74587812336, -5251.712385533817),
+        structure_position=(-1024261.628709547, -6151088.024037008, 2599972.898496433),
+        structure_velocity=(4736.654486170027, -3000.743122704171, -5251.707136199021),
+        angular_velocity_body=(-1.97989570839746e-05, -0.001080027400090759, -0.0007098670173048437),
+        body_from_inertial=(
+            (-0.1303977224153033, -0.9235551691194414, 0.3606137595567613),
+            (-0.9835635249313684, 0.0746803593168579, -0.1643947576928366),
+            (0.1248968631050554, -0.3761232424685627, -0.9181133263717784),
         ),
     ),
 }

@@ -9,7 +9,6 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from datetime import datetime
-from decimal import Decimal
 from typing import NamedTuple
 
 import numpy as np
@@ -18,6 +17,7 @@ from freebody import forms
 from freebody._check import Array
 from freebody.model_file import load_model, shipped_model
 
+from .printed import off_by
 from .residual import Residual
 
 __all__ = ["cases", "differences"]
@@ -81,9 +81,7 @@ def cases() -> Iterator[Residual]:
     """For each kind of difference, the largest deviation from Principia's, in its last printed digits."""
     deviations = []
     for observation, computed in zip(OBSERVATIONS, differences(), strict=True):
-        printed = [Decimal(text) for text in observation.differences.split()]
-        digits = np.array([10.0 ** int(number.as_tuple().exponent) for number in printed])
-        deviations.append(np.abs(computed - np.array(printed, dtype=float)) / digits)
+        deviations.append(off_by(computed, observation.differences))
     for quantity, worst in zip(QUANTITIES, np.max(deviations, axis=0), strict=True):
         yield Residual("Toutatis", quantity, float(worst), ALLOWED, "last digit")
 

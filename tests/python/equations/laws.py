@@ -21,6 +21,15 @@ DRAG = fb.Table(
     "cubic",
 )
 
+LATTICE = fb.Table(
+    (np.linspace(-2.0, 2.0, 4), np.array([-1.0, 0.1, 0.1, 1.0]), np.linspace(-1.0, 1.0, 3)),
+    np.sin(np.arange(48.0)).reshape(4, 4, 3),
+)
+LATTICE_4 = fb.Table(
+    tuple(np.linspace(-1.0, 1.0, n) for n in (2, 3, 1, 3)), np.cos(np.arange(18.0)).reshape(2, 3, 1, 3)
+)
+STEPS = fb.Table(LATTICE.axes, LATTICE.values, "hold")
+
 
 @fb.force(
     parameters={"area": (0.02, "m^2"), "density": (1.225, "kg/m^3"), "lag": (0.1, "s")},
@@ -52,6 +61,15 @@ def hull(s: Any) -> Any:
     """With a table of two variables."""
     drag = DRAG(s.velocity_body[0], s.angular_velocity_body[2])
     return fb.wrench(force=np.stack([-drag, 0.0, 0.0]), at=s.com)
+
+
+@fb.force
+def fuselage(s: Any) -> Any:
+    """With tables of three variables and of four."""
+    v, w = s.velocity_body, s.angular_velocity_body
+    lift = LATTICE_4(v[0], v[1], w[1], w[2])
+    side = LATTICE(v[1], w[0], v[2]) + STEPS(v[0], w[2], w[1])
+    return fb.wrench(force=np.stack([lift, side, 0.0]), at=s.com)
 
 
 @fb.control(parameters={"gain": (0.5, "s")}, inputs={"course": "rad"}, states={"filtered": (0.0, "rad/s")})

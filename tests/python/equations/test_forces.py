@@ -10,10 +10,11 @@ import numpy as np
 import pytest
 
 import freebody as fb
+from freebody.elements import HarmonicGravity
 
 from . import languages
 from .kernel import AGREE, POINTS, Array, Values, derivatives, disagreement, random_arguments
-from .laws import BODY, fin, hull, thrust, wing
+from .laws import BODY, fin, fuselage, hull, thrust, wing
 
 COEFFICIENTS = np.diag([1.0, 2.0, 3.0, 0.1, 0.2, 0.3]) + 0.05
 FORCES: dict[str, list[fb.Force]] = {
@@ -21,6 +22,16 @@ FORCES: dict[str, list[fb.Force]] = {
     "point mass gravity": [fb.PointMassGravity(50.0, center=(2.0, 3.0, -8.0))],
     "point mass gravity without torque": [
         fb.PointMassGravity(50.0, center=(2.0, 3.0, -8.0), gradient_torque=False)
+    ],
+    "harmonic gravity": [
+        HarmonicGravity(
+            *(50.0, 1.0),
+            C=np.tril(np.cos(np.arange(16.0)).reshape(4, 4)),
+            S=np.tril(np.sin(np.arange(16.0)).reshape(4, 4)) * [0.0, 1.0, 1.0, 1.0],
+            center=(2.0, 3.0, -8.0),
+            rotation_rate=0.3,
+            gradient_torque=True,
+        )
     ],
     "linear damping": [fb.LinearDamping(COEFFICIENTS)],
     "quadratic damping": [fb.QuadraticDamping([0.1, 0.2, 0.3, 0.01, 0.02, 0.03])],
@@ -47,6 +58,7 @@ TABLES: dict[str, list[fb.Force]] = {
     ],
     "law with a table": [fb.UniformGravity(), wing, fin],
     "law with a table of two variables": [hull],
+    "law with tables of three and of four variables": [fuselage],
 }
 ALL = FORCES | TABLES
 CASES = [("1.8", "quaternion"), ("1.8", "zyx"), ("1.11", "quaternion"), ("1.11", "yzx")]

@@ -14,7 +14,7 @@ import freebody as fb
 
 from . import languages
 from .kernel import AGREE, POINTS, Array, Values, derivatives, disagreement, random_arguments
-from .laws import BODY, fin, pilot, thrust, wing
+from .laws import BODY, fin, fuselage, hull, pilot, thrust, wing
 
 PLAIN = [fb.UniformGravity(), fb.LinearDamping([1.0, 2.0, 3.0, 0.1, 0.2, 0.3])]
 EVERY = [
@@ -32,12 +32,13 @@ TABLES = [
     fb.TabulatedWrench([0.0, 2.0, 2.0, 9.0], force=np.sin(np.arange(12.0)).reshape(4, 3)),
 ]
 FLYING = [*PLAIN, fin, thrust]
-# What can be printed without tables comes first.
+# What is printed comes first.
 LAWS: dict[str, tuple[list[fb.Force], fb.ControlLaw | None]] = {
     "no forces": ([], None),
     "gravity and damping": (PLAIN, None),
     "every force": (EVERY, None),
     "controlled": (FLYING, pilot),
+    "tables of several variables": ([hull, fuselage], None),
     "tables": (TABLES, None),
 }
 PRINTED = [name for name in LAWS if name != "tables"]

@@ -4,6 +4,7 @@ mod mat3;
 mod mat6;
 mod rotation;
 mod sym3;
+mod sym6;
 mod vec3;
 
 pub use mat3::Mat3;
@@ -12,4 +13,5 @@ pub use rotation::{
     elementary, is_rotation, multiply, normalized, quaternion_from_rotation, rotation_from_quaternion,
 };
 pub use sym3::Sym3;
+pub use sym6::Sym6;
 pub use vec3::{Vec3, basis};

@@ -127,6 +127,8 @@ fn hash_operation(operation: Operation) -> u64 {
         Operation::Atan2 => (7, 0),
         Operation::Pow => (8, 0),
         Operation::SelectLe => (9, 0),
+        Operation::Lookup3(n) => (11, n),
+        Operation::Lookup4(n) => (12, n),
         // A number that is not finite.
         Operation::Constant(bits) => return mix(bits),
         _ => (10, 0),

@@ -19,14 +19,15 @@ impl Graph {
         match *operands {
             [a] => self.unary(operation, a),
             [a, b] => self.binary(operation, a, b),
-            [a, b, x, y] => self.select(a, b, x, y),
+            [a, b, x, y] if operation == Operation::SelectLe => self.select(a, b, x, y),
             _ => self.intern(Node::new(operation, operands)),
         }
     }
 
     /// The result if all operands are constants; what is not finite stays as it is written.
     fn folded(&mut self, operation: Operation, operands: &[Id]) -> Option<Id> {
-        if let Operation::Lookup(_) | Operation::Lookup2(_) = operation {
+        use Operation::{Lookup, Lookup2, Lookup3, Lookup4};
+        if let Lookup(_) | Lookup2(_) | Lookup3(_) | Lookup4(_) = operation {
             let value = self.looked_up(operation, operands)?;
             return Some(self.constant(value));
         }
@@ -54,6 +55,10 @@ impl Graph {
                     [only] => Some(only[0][0]),
                     _ => Some(grid.value(self.number(operands[0])?, self.number(operands[1])?)),
                 }
+            }
+            Operation::Lookup3(n) | Operation::Lookup4(n) => {
+                let at: Option<Vec<f64>> = operands.iter().map(|id| self.number(*id)).collect();
+                Some(self.lattices[n as usize].value(&at?))
             }
             _ => None,
         }

@@ -2,7 +2,7 @@
 
 use super::fingerprint::{self, Fingerprint};
 use super::node::{Id, Node, Operation};
-use crate::scalar::{Grid, Table};
+use crate::scalar::{Grid, Lattice, Table};
 use std::collections::{BTreeMap, HashMap};
 
 /// A symbol by its names.
@@ -46,6 +46,7 @@ pub struct Graph {
     pub(super) symbols: Vec<Symbol>,
     pub(super) tables: Vec<Table>,
     pub(super) grids: Vec<Grid>,
+    pub(super) lattices: Vec<Lattice>,
 }
 
 impl Graph {
@@ -64,6 +65,7 @@ impl Graph {
             symbols: Vec::new(),
             tables: Vec::new(),
             grids: Vec::new(),
+            lattices: Vec::new(),
         };
         if simplify == Simplify::Algebraically {
             // So that what is equal to one of them becomes it.
@@ -96,20 +98,19 @@ impl Graph {
 
     /// The number of a table that expressions look into.
     pub fn table(&mut self, table: &Table) -> u32 {
-        let known = self.tables.iter().position(|t| t == table);
-        known.unwrap_or_else(|| {
-            self.tables.push(table.clone());
-            self.tables.len() - 1
-        }) as u32
+        number(&mut self.tables, table)
     }
 
     /// The number of a grid that expressions look into.
     pub fn grid(&mut self, grid: &Grid) -> u32 {
-        let known = self.grids.iter().position(|g| g == grid);
-        known.unwrap_or_else(|| {
-            self.grids.push(grid.clone());
-            self.grids.len() - 1
-        }) as u32
+        number(&mut self.grids, grid)
+    }
+
+    /// A lattice at expressions, as many as it has axes.
+    pub fn look_up(&mut self, lattice: &Lattice, at: &[Id]) -> Id {
+        let number = number(&mut self.lattices, lattice);
+        let lookup = if at.len() == 3 { Operation::Lookup3 } else { Operation::Lookup4 };
+        self.apply(lookup(number), at)
     }
 
     /// Whether there is a node of this number.
@@ -210,4 +211,13 @@ impl Graph {
             _ => 1.0 + node.operands().iter().map(|id| self.costs[*id as usize]).sum::<f64>(),
         }
     }
+}
+
+/// The place of what is equal to `wanted`, put behind the others where it is new.
+fn number<T: Clone + PartialEq>(known: &mut Vec<T>, wanted: &T) -> u32 {
+    let place = known.iter().position(|k| k == wanted);
+    place.unwrap_or_else(|| {
+        known.push(wanted.clone());
+        known.len() - 1
+    }) as u32
 }

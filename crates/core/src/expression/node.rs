@@ -42,6 +42,10 @@ pub enum Operation {
     Lookup(u32),
     /// A grid, by its number, at (a, b).
     Lookup2(u32),
+    /// A lattice of three axes, by its number, at (a, b, c).
+    Lookup3(u32),
+    /// A lattice of four axes, by its number, at (a, b, c, d).
+    Lookup4(u32),
 }
 
 impl Operation {
@@ -52,7 +56,8 @@ impl Operation {
             Self::Neg | Self::Sqrt | Self::Abs | Self::Sin | Self::Cos => 1,
             Self::Elementary(_) | Self::Lookup(_) => 1,
             Self::Add | Self::Sub | Self::Mul | Self::Div | Self::Atan2 | Self::Pow | Self::Lookup2(_) => 2,
-            Self::SelectLe => 4,
+            Self::Lookup3(_) => 3,
+            Self::SelectLe | Self::Lookup4(_) => 4,
         }
     }
 
@@ -91,7 +96,8 @@ impl Operation {
             Self::Atan2 => Real::atan2(a, b),
             Self::Pow => Real::pow(a, b),
             Self::SelectLe => f64::select_le(a, b, c, d),
-            Self::Symbol(_) | Self::Lookup(_) | Self::Lookup2(_) => return None,
+            Self::Symbol(_) => return None,
+            Self::Lookup(_) | Self::Lookup2(_) | Self::Lookup3(_) | Self::Lookup4(_) => return None,
         })
     }
 }

@@ -67,7 +67,11 @@ impl Program {
             preparation: Tape::of(graph, parameters, &literals, &wanted).ok_or(ProgramError::TooLong)?,
             main: Tape::of(graph, given, &wanted, outputs).ok_or(ProgramError::TooLong)?,
             literals: literals.iter().map(|id| number(id).to_bits()).collect(),
-            tables: Tables { tables: graph.tables.clone(), grids: graph.grids.clone() },
+            tables: Tables {
+                tables: graph.tables.clone(),
+                grids: graph.grids.clone(),
+                lattices: graph.lattices.clone(),
+            },
         };
         debug_assert!(made.is_sound());
         Ok(made)

@@ -2,7 +2,7 @@
 
 use super::graph::Graph;
 use super::node::{Id, Operation};
-use crate::scalar::{Block, Elementary, Grid, Real, Table};
+use crate::scalar::{Block, Elementary, Grid, Lattice, MAX_AXES, Real, Table};
 use std::cell::RefCell;
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
@@ -98,6 +98,13 @@ impl Real for Expression {
     fn lookup_2(self, y: Self, grid: &Grid) -> Self {
         let number = on_graph(|g| g.grid(grid));
         apply(Operation::Lookup2(number), &[self.0, y.0])
+    }
+    fn lookup_n(at: &[Self], lattice: &Lattice) -> Self {
+        let mut operands = [0; MAX_AXES];
+        for (o, x) in operands.iter_mut().zip(at) {
+            *o = x.0;
+        }
+        Self(on_graph(|g| g.look_up(lattice, &operands[..at.len()])))
     }
     fn elementary(self, f: Elementary) -> Self {
         apply(Operation::Elementary(f), &[self.0])

@@ -5,7 +5,7 @@
 
 use super::node::Operation;
 use super::registers::{Registers, SMALL, Values};
-use crate::scalar::{Elementary, Grid, Real, Table};
+use crate::scalar::{Elementary, Grid, Lattice, Real, Table};
 use serde::{Deserialize, Serialize};
 
 /// What an instruction does with its operands a, b, c, d.
@@ -40,6 +40,8 @@ pub(super) enum Code {
     SelectLe,
     Lookup(u32),
     Lookup2(u32),
+    Lookup3(u32),
+    Lookup4(u32),
 }
 
 impl Code {
@@ -48,8 +50,8 @@ impl Code {
         match self {
             Self::Neg | Self::Sqrt | Self::Abs | Self::SinCos | Self::Elementary(_) | Self::Lookup(_) => 1,
             Self::Add | Self::Sub | Self::Mul | Self::Div | Self::Atan2 | Self::Pow | Self::Lookup2(_) => 2,
-            Self::MulAdd | Self::MulSub | Self::NegMulAdd | Self::Mul3 | Self::Add3 => 3,
-            Self::MulMulAdd | Self::MulMulSub | Self::SelectLe => 4,
+            Self::MulAdd | Self::MulSub | Self::NegMulAdd | Self::Mul3 | Self::Add3 | Self::Lookup3(_) => 3,
+            Self::MulMulAdd | Self::MulMulSub | Self::SelectLe | Self::Lookup4(_) => 4,
         }
     }
 
@@ -79,6 +81,8 @@ impl Code {
             Operation::SelectLe => Self::SelectLe,
             Operation::Lookup(n) => Self::Lookup(n),
             Operation::Lookup2(n) => Self::Lookup2(n),
+            Operation::Lookup3(n) => Self::Lookup3(n),
+            Operation::Lookup4(n) => Self::Lookup4(n),
             Operation::Constant(_) | Operation::Symbol(_) => {
                 unreachable!("constants and symbols are registers")
             }
@@ -105,11 +109,12 @@ pub(super) struct Tape {
     pub results: Vec<u16>,
 }
 
-/// Tables and grids by their numbers.
+/// Tables, grids and lattices by their numbers.
 #[derive(Clone, Debug, Default, PartialEq, Eq, Hash, Serialize, Deserialize)]
 pub(super) struct Tables {
     pub tables: Vec<Table>,
     pub grids: Vec<Grid>,
+    pub lattices: Vec<Lattice>,
 }
 
 impl Tape {
@@ -128,6 +133,8 @@ impl Tape {
             let known = match code {
                 Code::Lookup(n) => (*n as usize) < tables.tables.len(),
                 Code::Lookup2(n) => (*n as usize) < tables.grids.len(),
+                Code::Lookup3(n) => tables.lattices.get(*n as usize).is_some_and(|l| l.is_sound(3)),
+                Code::Lookup4(n) => tables.lattices.get(*n as usize).is_some_and(|l| l.is_sound(4)),
                 _ => true,
             };
             if !known {
@@ -264,6 +271,10 @@ impl Tape {
                 Code::SelectLe => each!(a, b, x, y => T::select_le(a, b, x, y)),
                 Code::Lookup(n) => each!(a => a.lookup(&tables.tables[*n as usize])),
                 Code::Lookup2(n) => each!(a, b => a.lookup_2(b, &tables.grids[*n as usize])),
+                Code::Lookup3(n) => each!(a, b, c => T::lookup_n(&[a, b, c], &tables.lattices[*n as usize])),
+                Code::Lookup4(n) => {
+                    each!(a, b, c, d => T::lookup_n(&[a, b, c, d], &tables.lattices[*n as usize]));
+                }
             }
         }
         n

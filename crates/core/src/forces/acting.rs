@@ -17,15 +17,17 @@ pub struct Acting<T> {
 }
 
 impl Acting<f64> {
-    /// Of the forces on a body.
-    pub fn new(forces: &[Force<f64>], body: &Inertia<f64>) -> Self {
+    /// Of the forces on a body, whose mass centre may be moving in it.
+    pub fn new(forces: &[Force<f64>], body: &Inertia<f64>, moving: bool) -> Self {
         let laws: Vec<_> =
             forces.iter().filter_map(|f| if let Force::Traced(law) = f { Some(law) } else { None }).collect();
         let law = Traced::<f64>::joined(&laws);
         let (mut usual, mut others) = (Usual::default(), Vec::new());
         for force in forces {
             let joined = law.is_some() && matches!(force, Force::Traced(_));
-            if !joined && !usual.take(force, body) {
+            // The usual ones act at arms that do not change.
+            let fixed = matches!(force, Force::ConstantWrench(_) | Force::InputWrench(_));
+            if !joined && (moving && fixed || !usual.take(force, body)) {
                 others.push(force.clone());
             }
         }

@@ -6,7 +6,9 @@
 mod acting;
 mod damping;
 mod gravity;
+mod harmonics;
 mod input;
+mod places;
 mod point_mass;
 mod tabulated;
 mod traced;
@@ -17,10 +19,12 @@ pub use acting::Acting;
 pub(crate) use acting::total;
 pub use damping::{Coefficients, LinearDamping, QuadraticDamping};
 pub use gravity::UniformGravity;
+pub use harmonics::{Field, HarmonicGravity, Harmonics};
 pub use input::InputWrench;
+pub use places::{Places, Source};
 pub use point_mass::PointMassGravity;
 pub use tabulated::TabulatedWrench;
-pub use traced::{Callback, Places, Traced};
+pub use traced::{Callback, Traced};
 pub use usual::Usual;
 pub use wrench::{Axes, ConstantWrench};
 
@@ -64,6 +68,8 @@ pub enum Force<T> {
     UniformGravity(UniformGravity<T>),
     /// See [`PointMassGravity`].
     PointMassGravity(PointMassGravity<T>),
+    /// See [`HarmonicGravity`].
+    HarmonicGravity(HarmonicGravity<T>),
     /// See [`ConstantWrench`].
     ConstantWrench(ConstantWrench<T>),
     /// See [`TabulatedWrench`].
@@ -110,6 +116,7 @@ impl<T: Real> Force<T> {
             }
             Self::LinearDamping(f) => apart!(f, s),
             Self::PointMassGravity(f) => apart!(f, s),
+            Self::HarmonicGravity(f) => apart!(f, s),
             Self::TabulatedWrench(f) => apart!(f, s),
             Self::QuadraticDamping(f) => apart!(f, s),
             Self::Traced(f) => apart!(f, s, rates),
@@ -128,6 +135,7 @@ impl<T: Real> Force<T> {
         match self {
             Force::UniformGravity(f) => Some(f.potential_energy(s)),
             Force::PointMassGravity(f) => Some(f.potential_energy(s)),
+            Force::HarmonicGravity(f) => Some(f.potential_energy(s)),
             _ => None,
         }
     }
@@ -145,7 +153,7 @@ impl<T: Real> Force<T> {
     /// Whether the wrench, or the rates of the element's states, depend on the position.
     pub fn reads_position(&self) -> bool {
         match self {
-            Force::PointMassGravity(_) | Force::Callback(_) => true,
+            Force::PointMassGravity(_) | Force::HarmonicGravity(_) | Force::Callback(_) => true,
             Force::Traced(f) => f.reads_position(),
             _ => false,
         }
@@ -167,6 +175,7 @@ impl<T: Real> Force<T> {
         match self {
             Force::UniformGravity(e) => Force::UniformGravity(e.map(f)),
             Force::PointMassGravity(e) => Force::PointMassGravity(e.map(f)),
+            Force::HarmonicGravity(e) => Force::HarmonicGravity(e.map(f)),
             Force::ConstantWrench(e) => Force::ConstantWrench(e.map(f)),
             Force::TabulatedWrench(e) => Force::TabulatedWrench(e.map(f)),
             Force::LinearDamping(e) => Force::LinearDamping(e.map(f)),

@@ -1,88 +1,12 @@
 //! Laws that users write: as programs that run over every scalar, or as functions compiled elsewhere.
 
-use super::Situation;
 use super::wrench::about_com;
+use super::{Places, Situation, Source};
 use crate::algebra::Vec3;
 use crate::expression::{Expression, Graph, Id, Program, Simplify, Values};
 use crate::scalar::{Block, Real};
 use crate::screw::Screw;
-use std::ops::Range;
 use std::sync::Arc;
-
-/// What a law reads besides the motion, by the places in all inputs and in all auxiliary states.
-#[derive(Clone, Debug, Default)]
-pub struct Places {
-    /// Its inputs.
-    pub inputs: Vec<usize>,
-    /// Its own states.
-    pub states: Range<usize>,
-}
-
-impl Places {
-    /// How many numbers tell of time, motion and body: time 1, position 3, rotation 9 by rows, twist 6, mass 1,
-    /// mass centre 3.
-    pub const MOTION: usize = 23;
-
-    /// Where the position is among them.
-    const POSITION: Range<usize> = 1..4;
-
-    /// How many inputs and states a law can have.
-    pub const ROOM: usize = Values::<f64>::ROOM - Self::MOTION;
-
-    /// How many numbers a law with these places is given.
-    pub fn given_count(&self) -> usize {
-        Self::MOTION + self.inputs.len() + self.states.len()
-    }
-
-    /// The place behind the last of its inputs.
-    pub fn inputs_end(&self) -> usize {
-        self.inputs.iter().map(|place| place + 1).max().unwrap_or(0)
-    }
-
-    /// Time, motion and body.
-    #[inline(always)]
-    fn motion<T: Real>(s: &Situation<'_, T>) -> [T; Self::MOTION] {
-        let (o, c, m) = (s.position, s.rotation.rows, s.inertia.com);
-        let (v, w) = (s.twist.linear, s.twist.angular);
-        [
-            s.time,
-            o.x,
-            o.y,
-            o.z,
-            c[0].x,
-            c[0].y,
-            c[0].z,
-            c[1].x,
-            c[1].y,
-            c[1].z,
-            c[2].x,
-            c[2].y,
-            c[2].z,
-            v.x,
-            v.y,
-            v.z,
-            w.x,
-            w.y,
-            w.z,
-            s.inertia.mass,
-            m.x,
-            m.y,
-            m.z,
-        ]
-    }
-
-    /// Writes what the law is given: time, motion and body, its inputs, its states.
-    #[inline(always)]
-    fn write<T: Real>(&self, s: &Situation<'_, T>, values: &mut Values<T>) {
-        values.start(Self::motion(s));
-        for place in &self.inputs {
-            values.push(s.inputs[*place]);
-        }
-        for x in &s.states[self.states.clone()] {
-            values.push(*x);
-        }
-    }
-}
 
 /// A law traced from a user's function, with its parameters.
 ///
@@ -148,6 +72,18 @@ impl<T: Real> Traced<T> {
         }
     }
 
+    /// All results of a law without states.
+    #[inline(always)]
+    pub fn results<const N: usize>(&self, s: &Situation<'_, T>) -> [T; N] {
+        let mut values = Values::empty();
+        self.run(s, &mut values, &mut []);
+        let mut all = [T::zero(); N];
+        for (k, result) in all.iter_mut().enumerate() {
+            *result = self.program.result(&values, k);
+        }
+        all
+    }
+
     /// The one result of a law without states.
     #[inline(always)]
     pub fn value(&self, s: &Situation<'_, T>) -> T {
@@ -171,11 +107,14 @@ impl<T: Real> Traced<T> {
     ///
     /// What a program is given then is written once for all of them, and what they share is computed once.
     pub fn joined(laws: &[&Traced<f64>]) -> Option<Traced<f64>> {
-        let mut inputs: Vec<usize> = laws.iter().flat_map(|law| law.places.inputs.iter().copied()).collect();
-        inputs.sort_unstable();
-        inputs.dedup();
         let first = laws.iter().map(|law| law.places.states.start).min()?;
         let end = laws.iter().map(|law| law.places.states.end).max()?;
+        let own =
+            |source: &Source| if let Source::State(k) = source { (first..end).contains(k) } else { false };
+        let mut inputs: Vec<Source> = laws.iter().flat_map(|law| law.places.inputs.iter().copied()).collect();
+        inputs.retain(|source| !own(source));
+        inputs.sort_unstable();
+        inputs.dedup();
         let places = Places { inputs, states: first..end };
         if places.given_count() > Values::<f64>::ROOM {
             return None;
@@ -191,16 +130,19 @@ impl<T: Real> Traced<T> {
         let outputs = graph.enter(|| {
             let mut wrench = [Expression::zero(); 6];
             let mut rates = vec![Expression::zero(); places.states.len()];
-            let mut own = values.iter();
+            let mut numbers = values.iter();
             for law in laws {
-                let own: Vec<_> = own.by_ref().take(law.parameters.len()).map(|id| Expression(*id)).collect();
-                let place = |input: &usize| places.inputs.binary_search(input).unwrap_or_default();
-                let inputs = law.places.inputs.iter().map(|i| Places::MOTION + place(i));
+                let p: Vec<_> =
+                    numbers.by_ref().take(law.parameters.len()).map(|id| Expression(*id)).collect();
                 let behind = Places::MOTION + places.inputs.len();
+                let inputs = law.places.inputs.iter().map(|source| match source {
+                    Source::State(k) if own(source) => behind + k - first,
+                    _ => Places::MOTION + places.inputs.binary_search(source).unwrap_or_default(),
+                });
                 let states = law.places.states.clone().map(|state| behind + state - first);
                 let seen = (0..Places::MOTION).chain(inputs).chain(states).map(|i| Expression(given[i]));
                 let mut out = vec![Expression::zero(); law.program.output_count()];
-                law.program.run(&law.program.prepare(&own), &seen.collect::<Vec<_>>(), &mut out);
+                law.program.run(&law.program.prepare(&p), &seen.collect::<Vec<_>>(), &mut out);
                 for (sum, x) in wrench.iter_mut().zip(&out) {
                     *sum = *sum + *x;
                 }
@@ -239,7 +181,7 @@ impl Callback {
     pub fn about_com<T: Real>(&self, s: &Situation<'_, T>) -> Screw<T> {
         let mut given = Vec::with_capacity(self.places.given_count());
         given.extend(Places::motion(s));
-        given.extend(self.places.inputs.iter().map(|place| s.inputs[*place]));
+        given.extend(self.places.inputs.iter().map(|source| source.read(s)));
         let mut wrench = [T::lit(f64::NAN); 6];
         T::outside(&*self.block, &given, &mut wrench);
         about_com(Screw::from_slice(&wrench), s)

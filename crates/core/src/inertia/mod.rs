@@ -24,7 +24,7 @@ pub struct Inertia<T> {
     /// Inertia tensor about the mass centre, body axes, kg m².
     pub about_com: Sym3<T>,
     /// 1/m.
-    inverse_mass: T,
+    pub(crate) inverse_mass: T,
     /// The inverse of `about_com`.
     inverse_about_com: Sym3<T>,
 }

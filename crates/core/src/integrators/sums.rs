@@ -3,7 +3,7 @@
 use super::method::Row;
 use crate::scalar::Lane;
 
-/// Components are worked on four at a time: enough independent chains to hide the latency of a fused
+/// Components are worked on four at a time at least: enough independent chains to hide the latency of a fused
 /// product, few enough to stay in registers.
 const WIDTH: usize = 4;
 /// Lanes have registers for more.
@@ -66,7 +66,7 @@ fn combine<T: Lane>(row: Row, h: T, y: Option<&[T]>, k: &[T], first: usize, out:
     let n = out.len();
     let mut i = first;
     // The wider the tile, the less of the time goes into finding the stages.
-    while T::N > 1 && i + WIDE <= n {
+    while i + WIDE <= n {
         out[i..i + WIDE].copy_from_slice(&piece::<T, WIDE>(row, h, y, k, n, i));
         i += WIDE;
     }

@@ -1,9 +1,9 @@
 //! The free rigid body with its forces, in any chart and either kind of velocity.
 
-use super::Dynamics;
 use super::laws::{command, elsewhere};
 use super::orientation::{Orientation, quaternion_of};
 use super::parts::{Parts, Sizes, convert};
+use super::{Dynamics, Left};
 use crate::algebra::{Mat3, Vec3, normalized};
 use crate::buffer::Buffer;
 use crate::charts::{Sequence, angular_velocity, quaternion_rate};
@@ -62,14 +62,16 @@ pub struct FreeBody<T> {
     pub acting: Option<Acting<T>>,
     /// What commands the inputs behind those of u.
     pub control: Option<Traced<T>>,
+    /// What stands on the left besides the body.
+    pub left: Option<Left<T>>,
     /// f compiled elsewhere, of (t, x, u): in the chart above, and in quaternions.
     pub compiled: Option<[Arc<dyn Block>; 2]>,
 }
 
 impl<T: Real> FreeBody<T> {
-    /// Without control.
+    /// Without control, and with nothing else on the left.
     pub fn new(inertia: Inertia<T>, forces: Vec<Force<T>>, chart: Chart, form: Form) -> Self {
-        Self { inertia, forces, chart, form, acting: None, control: None, compiled: None }
+        Self { inertia, forces, chart, form, acting: None, control: None, left: None, compiled: None }
     }
 
     /// All traced forces as one, if they are.
@@ -89,7 +91,7 @@ impl<T: Real> FreeBody<T> {
 
     /// The sum of all wrenches, in body axes about the mass centre; the rates of the auxiliary states are written.
     #[inline(always)]
-    fn wrench<const LAWS: bool>(&self, s: Situation<'_, T>, rates: &mut [T]) -> Screw<T> {
+    pub(super) fn wrench<const LAWS: bool>(&self, s: Situation<'_, T>, rates: &mut [T]) -> Screw<T> {
         if !LAWS {
             return self.sum(&s, rates);
         }
@@ -147,11 +149,18 @@ impl<T: Real> FreeBody<T> {
         }
     }
 
-    /// dx = f(x, u, t), part by part; with `LAWS` where there are any. Konoplev (3.2)
+    /// dx = f(x, u, t), part by part; with `LAWS` where there are any, with `LEFT` where something else stands on the
+    /// left, which needs the other. Konoplev (3.2)
     ///
-    /// With laws it is code of its own: within one, what they are given would be made ready for all bodies.
+    /// Each is code of its own: within one, what they are given would be made ready for all bodies.
     #[inline(always)]
-    pub(crate) fn rate<const LAWS: bool>(&self, t: T, x: Parts<&[T]>, u: &[T], dx: Parts<&mut [T]>) {
+    pub(crate) fn rate<const LAWS: bool, const LEFT: bool>(
+        &self,
+        t: T,
+        x: Parts<&[T]>,
+        u: &[T],
+        dx: Parts<&mut [T]>,
+    ) {
         // Where the body is and how it moves, out of any chart and form ...
         let at = Orientation::read(self.chart, x.orientation);
         let rotation = at.rotation();
@@ -159,11 +168,11 @@ impl<T: Real> FreeBody<T> {
         // ... the equation itself ...
         let position = Vec3::from_slice(x.position);
         let (inertia, states) = (&self.inertia, x.auxiliary);
-        let wrench = self.wrench::<LAWS>(
-            Situation { time: t, position, rotation, twist, inertia, inputs: u, states },
-            dx.auxiliary,
-        );
-        let rate = acceleration_about_com(&self.inertia, twist, wrench);
+        let s = Situation { time: t, position, rotation, twist, inertia, inputs: u, states };
+        let rate = match &self.left {
+            Some(left) if LEFT => self.solved_with(left, s, dx.auxiliary),
+            _ => acceleration_about_com(inertia, twist, self.wrench::<LAWS>(s, dx.auxiliary)),
+        };
         // ... and back into them.
         match self.form {
             Form::QuasiVelocity => {
@@ -201,7 +210,12 @@ impl<T: Real> FreeBody<T> {
             #[inline(always)]
             |law| law.map(f),
         );
-        FreeBody { inertia, forces, chart: self.chart, form: self.form, acting, control, compiled: None }
+        let left = match &self.left {
+            Some(left) => Some(left.map(f)),
+            None => None,
+        };
+        let (chart, form) = (self.chart, self.form);
+        FreeBody { inertia, forces, chart, form, acting, control, left, compiled: None }
     }
 }
 
@@ -238,13 +252,18 @@ impl<T: Real> Dynamics<T> for FreeBody<T> {
             return;
         }
         let sizes = self.sizes();
-        if self.has_laws() {
+        if self.left.is_some() {
             T::call(
                 #[inline(always)]
-                || self.rate::<true>(t, Parts::of(x, sizes), u, Parts::of_mut(dx, sizes)),
+                || self.rate::<true, true>(t, Parts::of(x, sizes), u, Parts::of_mut(dx, sizes)),
+            );
+        } else if self.has_laws() {
+            T::call(
+                #[inline(always)]
+                || self.rate::<true, false>(t, Parts::of(x, sizes), u, Parts::of_mut(dx, sizes)),
             );
         } else {
-            self.rate::<false>(t, Parts::of(x, sizes), u, Parts::of_mut(dx, sizes));
+            self.rate::<false, false>(t, Parts::of(x, sizes), u, Parts::of_mut(dx, sizes));
         }
     }
 

@@ -34,7 +34,7 @@ impl<T: Real> FreeBody<T> {
     pub fn has_closed_jacobian(&self) -> bool {
         let usual = self.acting.as_ref().is_some_and(|a| a.law.is_none() && a.others.is_empty());
         let kind = (self.chart, self.form) == (Chart::Quaternion, Form::QuasiVelocity);
-        kind && usual && self.control.is_none() && self.compiled.is_none()
+        kind && usual && self.control.is_none() && self.left.is_none() && self.compiled.is_none()
     }
 
     /// Writes the entries of (∂f/∂x ∂f/∂u) that are not always zero. Konoplev (3.2)

@@ -6,6 +6,7 @@ use super::{FreeBody, RigidState};
 use crate::algebra::Vec3;
 use crate::buffer::Buffer;
 use crate::forces::{Force, Situation, Traced};
+use crate::inertia::Inertia;
 use crate::scalar::{Block, Real};
 use crate::screw::Screw;
 
@@ -43,23 +44,36 @@ impl<T: Real> FreeBody<T> {
     /// What laws see in a state x of any chart and form.
     ///
     /// `inputs` hold u and room for what the control law commands, which is written; `rates` is room for those of the
-    /// auxiliary states.
+    /// auxiliary states, `room` for the inertia with the contents.
     #[inline(always)]
-    pub fn sight<'a>(&'a self, t: T, x: &'a [T], inputs: &'a mut [T], rates: &mut [T]) -> Situation<'a, T> {
+    pub fn sight<'a>(
+        &'a self,
+        t: T,
+        x: &'a [T],
+        inputs: &'a mut [T],
+        rates: &mut [T],
+        room: &'a mut Option<Inertia<T>>,
+    ) -> Situation<'a, T> {
         let x = Parts::of(x, self.sizes());
         let at = Orientation::read(self.chart, x.orientation);
         let rotation = at.rotation();
         let (position, twist) = (Vec3::from_slice(x.position), self.twist(&at, rotation, x));
-        let (inertia, states) = (&self.inertia, x.auxiliary);
+        let states = x.auxiliary;
+        let (u, commands) =
+            inputs.split_at_mut(inputs.len() - self.control.as_ref().map_or(0, Traced::result_count));
+        let mut inertia = &self.inertia;
+        if let Some(left) = &self.left {
+            let own = Situation { time: t, position, rotation, twist, inertia, inputs: u, states };
+            inertia = room.insert(left.inertia(&own));
+        }
         if let Some(law) = &self.control {
-            let (u, commands) = inputs.split_at_mut(inputs.len() - law.result_count());
             let before = Situation { time: t, position, rotation, twist, inertia, inputs: u, states };
             law.command(&before, commands, rates);
         }
         Situation { time: t, position, rotation, twist, inertia, inputs, states }
     }
 
-    /// The body and its control law without forces over another scalar, for who only looks at it.
+    /// The body, its control law and its left side without forces over another scalar, for who only looks at it.
     #[inline(always)]
     pub fn map_without_forces<U: Real>(&self, f: &mut impl FnMut(T) -> U) -> FreeBody<U> {
         let inertia = self.inertia.map(f);
@@ -67,7 +81,11 @@ impl<T: Real> FreeBody<T> {
             #[inline(always)]
             |law| law.map(f),
         );
-        FreeBody { control, ..FreeBody::new(inertia, Vec::new(), self.chart, self.form) }
+        let left = match &self.left {
+            Some(left) => Some(left.map(f)),
+            None => None,
+        };
+        FreeBody { control, left, ..FreeBody::new(inertia, Vec::new(), self.chart, self.form) }
     }
 }
 
@@ -75,26 +93,32 @@ impl FreeBody<f64> {
     /// Whether a force or a law depends on the position; for what was compiled nobody knows.
     pub fn reads_position(&self) -> bool {
         let by_force = self.forces.iter().any(Force::reads_position);
-        by_force || self.compiled.is_some() || self.control.as_ref().is_some_and(Traced::reads_position)
+        let by_contents = self.left.iter().flat_map(|left| &left.contents).any(|c| c.law.reads_position());
+        by_force
+            || by_contents
+            || self.compiled.is_some()
+            || self.control.as_ref().is_some_and(Traced::reads_position)
     }
 
     /// What the forces see in a motion.
     pub(super) fn situation<'a>(
-        &'a self,
+        &self,
         t: f64,
         s: &RigidState,
+        inertia: &'a Inertia<f64>,
         states: &'a [f64],
         inputs: &'a [f64],
     ) -> Situation<'a, f64> {
         let (position, rotation, twist) = (s.position, s.rotation(), s.twist);
-        Situation { time: t, position, rotation, twist, inertia: &self.inertia, inputs, states }
+        Situation { time: t, position, rotation, twist, inertia, inputs, states }
     }
 
     /// What the control law commands in a state.
     pub fn commands(&self, t: f64, x: &[f64], u: &[f64]) -> Vec<f64> {
-        let (_, states) = x.split_at(self.rigid_size());
-        self.all_inputs(&self.situation(t, &self.rigid_state(x), states, u), &mut vec![0.0; states.len()])
-            .split_off(u.len())
+        let (motion, states) = (self.rigid_state(x), self.auxiliary(x));
+        let inertia = self.inertia_in(t, &motion, states, u);
+        let s = self.situation(t, &motion, &inertia, states, u);
+        self.all_inputs(&s, &mut vec![0.0; states.len()]).split_off(u.len())
     }
 
     /// u and behind it the commands.
@@ -114,18 +138,21 @@ impl FreeBody<f64> {
 
     /// The wrenches, the rates of the auxiliary states, and the commands.
     fn wrenches_and_rates(&self, t: f64, x: &[f64], u: &[f64]) -> (Vec<Screw<f64>>, Vec<f64>, Vec<f64>) {
-        let (_, states) = x.split_at(self.rigid_size());
-        let motion = self.rigid_state(x);
+        let (motion, states) = (self.rigid_state(x), self.auxiliary(x));
+        let inertia = self.inertia_in(t, &motion, states, u);
         let mut rates = vec![0.0; states.len()];
-        let mut all = self.all_inputs(&self.situation(t, &motion, states, u), &mut rates);
-        let s = self.situation(t, &motion, states, &all);
+        let mut all = self.all_inputs(&self.situation(t, &motion, &inertia, states, u), &mut rates);
+        let s = self.situation(t, &motion, &inertia, states, &all);
         let wrenches = self.forces.iter().map(|f| f.about_origin(&s, &mut rates)).collect();
         (wrenches, rates, all.split_off(u.len()))
     }
 
-    /// The place of the force that is not finite in a state, in its wrench or in the rates of its states; one
+    /// The place of the force that is not finite in a state, in its wrench, its contents or the rates of its states; one
     /// place behind them all stands the control law.
     pub fn culprit(&self, t: f64, x: &[f64], u: &[f64]) -> Option<usize> {
+        if let Some(force) = self.lost_contents(t, x, u) {
+            return Some(force);
+        }
         let (wrenches, rates, commands) = self.wrenches_and_rates(t, x, u);
         let lost = |numbers: &[f64]| numbers.iter().any(|v| !v.is_finite());
         if let Some(law) = &self.control

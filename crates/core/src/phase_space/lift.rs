@@ -17,7 +17,8 @@ impl FreeBody<f64> {
 
     /// The same model with its forces made ready to run: to be done once, before it is lifted.
     pub fn made_ready(self) -> Self {
-        let acting = Some(Acting::new(&self.forces, &self.inertia));
+        let moving = self.left.as_ref().is_some_and(|left| !left.contents.is_empty());
+        let acting = Some(Acting::new(&self.forces, &self.inertia, moving));
         Self { acting, ..self }
     }
 

@@ -3,6 +3,7 @@
 mod free_body;
 mod jacobian;
 mod laws;
+mod left;
 mod lift;
 mod orientation;
 mod parameters;
@@ -12,6 +13,7 @@ mod state;
 pub use free_body::{Chart, Form, FreeBody};
 pub use jacobian::Entries;
 pub(crate) use laws::elsewhere;
+pub use left::{Contents, Left, Spin};
 pub use parameters::BODY_PARAMETERS;
 pub use state::RigidState;
 

@@ -3,7 +3,6 @@
 use super::{Chart, Form, FreeBody};
 use crate::algebra::{Mat3, Vec3, normalized, quaternion_from_rotation, rotation_from_quaternion};
 use crate::charts::{AngleChart, angular_velocity, quaternion_rate};
-use crate::newton_euler::momentum_world;
 use crate::screw::Screw;
 
 /// The motion of a body frame, free of charts.
@@ -103,17 +102,5 @@ impl FreeBody<f64> {
             Chart::Quaternion => None,
             Chart::Angles(sequence) => Some(sequence.singularity_distance([x[3], x[4], x[5]])),
         }
-    }
-
-    /// The kinetic energy and the sum of the potential energies, J.
-    pub fn energies(&self, t: f64, s: &RigidState) -> (f64, f64) {
-        let situation = self.situation(t, s, &[], &[]);
-        let potential = self.forces.iter().filter_map(|f| f.potential_energy(&situation)).sum();
-        (self.inertia.kinetic_energy(s.twist), potential)
-    }
-
-    /// The momentum about the world origin, world axes. Konoplev (1.5)
-    pub fn momentum_world(&self, s: &RigidState) -> Screw<f64> {
-        momentum_world(&self.inertia, s.position, s.rotation(), s.twist)
     }
 }

@@ -1,6 +1,6 @@
 //! Numbers that carry exact derivatives.
 
-use super::{Block, Elementary, Grid, Real, Table};
+use super::{Block, Elementary, Grid, Lattice, MAX_AXES, Real, Table};
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
 /// A value and its derivatives in `K` directions, over any [`Real`].
@@ -150,6 +150,21 @@ impl<T: Real, const K: usize> Real for Dual<T, K> {
         let (by_x, by_y) = (grid.slope_x(), grid.slope_y());
         let along_x = self.chain(self.value.lookup_2(y.value, grid), self.value.lookup_2(y.value, by_x));
         along_x.plus(y, self.value.lookup_2(y.value, by_y))
+    }
+    #[inline(always)]
+    fn lookup_n(at: &[Self], lattice: &Lattice) -> Self {
+        let mut point = [T::zero(); MAX_AXES];
+        for (p, x) in point.iter_mut().zip(at) {
+            *p = x.value;
+        }
+        let point = &point[..at.len()];
+        let mut sum = Self::constant(T::lookup_n(point, lattice));
+        for (axis, x) in at.iter().enumerate() {
+            if let Some(slope) = lattice.slope(axis) {
+                sum = sum.plus(*x, T::lookup_n(point, slope));
+            }
+        }
+        sum
     }
     #[inline(always)]
     fn elementary(self, f: Elementary) -> Self {

@@ -5,7 +5,7 @@
 //! that is not inlined there stays right but silently loses the instruction set, and with it a factor
 //! of 3 to 80 in speed; `make check` looks for such functions in the built library.
 
-use super::{Grid, Real, Table};
+use super::{Grid, Lattice, MAX_AXES, Real, Table};
 
 /// A [`Real`] that holds [`Lane::N`] independent numbers.
 pub trait Lane: Real {
@@ -47,6 +47,10 @@ macro_rules! functions {
             $crate::scalar::elementary::pow(self, y)
         }
         #[inline(always)]
+        fn lookup_n(at: &[Self], lattice: &$crate::scalar::Lattice) -> Self {
+            $crate::scalar::lanes::lookup_n(at, lattice)
+        }
+        #[inline(always)]
         fn outside(block: &dyn $crate::scalar::Block, given: &[Self], out: &mut [Self]) -> bool {
             $crate::scalar::block::call(block, given, out);
             true
@@ -54,6 +58,21 @@ macro_rules! functions {
     };
 }
 pub(super) use functions;
+
+/// The value of a lattice in every lane.
+#[inline(always)]
+pub(super) fn lookup_n<T: Lane>(at: &[T], lattice: &Lattice) -> T {
+    T::from_lanes(
+        #[inline(always)]
+        |l| {
+            let mut point = [0.0; MAX_AXES];
+            for (p, x) in point.iter_mut().zip(at) {
+                *p = x.get(l);
+            }
+            lattice.value(&point[..at.len()])
+        },
+    )
+}
 
 impl Lane for f64 {
     const N: usize = 1;

@@ -14,6 +14,7 @@ mod fused;
 mod grid;
 pub mod isa;
 mod lanes;
+mod lattice;
 mod registers;
 mod spline;
 mod table;
@@ -28,6 +29,7 @@ pub(crate) use exponential::{exponent, mantissa};
 pub use fused::Fused;
 pub use grid::{Grid, Patch};
 pub use lanes::Lane;
+pub use lattice::{Lattice, MAX_AXES, Rule};
 #[cfg(target_arch = "aarch64")]
 pub use registers::Neon;
 #[cfg(target_arch = "x86_64")]
@@ -66,6 +68,8 @@ pub trait Real:
     fn lookup(self, table: &Table) -> Self;
     /// The value of a tabulated function of two variables at (`self`, `y`).
     fn lookup_2(self, y: Self, grid: &Grid) -> Self;
+    /// The value of a tabulated function of three or four variables at a point.
+    fn lookup_n(at: &[Self], lattice: &Lattice) -> Self;
     /// A function of one number.
     fn elementary(self, f: Elementary) -> Self;
     /// The angle of the point (`x`, `self`), in [-π, π]; at -π for a `self` of -0 and a negative `x`.

@@ -1,6 +1,6 @@
 //! How far apart two evaluations of one formula can lie that differ in nothing but their roundings.
 
-use crate::scalar::{Block, Elementary, Grid, Real, Table};
+use crate::scalar::{Block, Elementary, Grid, Lattice, Real, Table};
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
 /// A number, and a bound on the difference of two evaluations of it.
@@ -98,6 +98,9 @@ impl Real for Bounded {
     }
     fn lookup_2(self, _: Self, _: &Grid) -> Self {
         unreachable!("no form looks into a grid")
+    }
+    fn lookup_n(_: &[Self], _: &Lattice) -> Self {
+        unreachable!("no form looks into a lattice")
     }
     fn elementary(self, _: Elementary) -> Self {
         unreachable!("no form has such a function")

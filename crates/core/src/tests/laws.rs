@@ -164,7 +164,7 @@ fn control_commands_what_a_force_would_do() {
     for kind in kinds() {
         let mut case = case(&mut random, kind);
         case.u = vec![random.between(-2.0, 2.0)];
-        let law = traced(&[0.3, 0.5, 0.7], Places { inputs: vec![0], states: 0..0 }, moment);
+        let law = traced(&[0.3, 0.5, 0.7], Places::new(&[0], 0..0), moment);
         let (at, axes) = (Vec3::zero(), Axes::Body);
         case.model.forces = vec![Force::Traced(law.clone())];
         let open = derivative(&case.model, &case);
@@ -197,8 +197,8 @@ fn many_commands_and_states_are_as_few() {
         s.states.iter().copied().chain(rates).collect()
     };
     let push = |_: &[E], s: &Seen<'_>| -> Vec<E> { vec![s.inputs[0]; 6] };
-    case.model.control = Some(traced(&[], Places { inputs: vec![0], states: 0..n }, lag));
-    case.model.forces = vec![Force::Traced(traced(&[], Places { inputs: vec![n], states: 0..0 }, push))];
+    case.model.control = Some(traced(&[], Places::new(&[0], 0..n), lag));
+    case.model.forces = vec![Force::Traced(traced(&[], Places::new(&[n], 0..0), push))];
     assert_eq!(Dynamics::<f64>::state_size(&case.model), case.x.len());
     let dx = derivative(&case.model, &case);
     assert!(dx[13..].iter().all(|rate| *rate == 0.4 - 0.1));

@@ -8,6 +8,7 @@ mod evaluate;
 mod forms;
 mod lanes;
 mod laws;
+mod left_side;
 mod matrices;
 mod motions;
 pub(crate) mod programs;
@@ -19,14 +20,15 @@ mod validity;
 use crate::algebra::{Mat3, Mat6, Sym3, Vec3, normalized, rotation_from_quaternion};
 use crate::charts::Sequence;
 use crate::forces::{
-    Axes, Coefficients, ConstantWrench, Force, InputWrench, LinearDamping, Places, PointMassGravity,
-    QuadraticDamping, TabulatedWrench, UniformGravity,
+    Axes, Coefficients, ConstantWrench, Field, Force, HarmonicGravity, Harmonics, InputWrench, LinearDamping,
+    Places, PointMassGravity, QuadraticDamping, TabulatedWrench, UniformGravity,
 };
 use crate::inertia::Inertia;
 use crate::phase_space::{Chart, Dynamics, Form, FreeBody, RigidState};
 use crate::scalar::tests::{Random, same};
 use crate::scalar::{Interpolation, Table};
 use crate::screw::Screw;
+use std::sync::Arc;
 
 fn sequences() -> [Sequence; 12] {
     Sequence::names().map(|name| Sequence::parse(name).unwrap())
@@ -72,6 +74,18 @@ fn matrix(random: &mut Random) -> Mat3<f64> {
     Mat3::from_rows(vector(random), vector(random), vector(random))
 }
 
+/// A field of degree three, every coefficient of another size.
+fn harmonics() -> Harmonics {
+    let mut field = Harmonics::zero(3);
+    for n in 0..4 {
+        for m in 0..=n {
+            let size = 1.0 / (1.0 + n as f64 + 0.3 * m as f64);
+            *field.at(n, m) = [size, if m == 0 { 0.0 } else { -0.7 * size }];
+        }
+    }
+    field
+}
+
 /// Every kind of force in each of its shapes, and two sets of inputs.
 fn every_force(random: &mut Random) -> Vec<Force<f64>> {
     let mut forces = Vec::new();
@@ -80,6 +94,14 @@ fn every_force(random: &mut Random) -> Vec<Force<f64>> {
         let (mu, center) = (random.between(20.0, 40.0), vector(random).scale(4.0));
         forces.push(Force::PointMassGravity(PointMassGravity { mu, center, gradient_torque }));
     }
+    forces.push(Force::HarmonicGravity(HarmonicGravity {
+        mu: 2e3,
+        // So far away that no motion falls into it.
+        center: Vec3::lit([20.0, -15.0, 12.0]),
+        field: Arc::new(Field::new(6.0, harmonics(), true)),
+        rotation_rate: 0.4,
+        angle: -0.2,
+    }));
     for (k, axes) in [Axes::Body, Axes::World].into_iter().enumerate() {
         let at = vector(random);
         forces.push(Force::ConstantWrench(ConstantWrench { wrench: screw(random), at, axes }));
@@ -130,7 +152,7 @@ fn case(random: &mut Random, (chart, form): (Chart, Form)) -> Case {
 /// The same with a traced force and a control law behind it, each with a state of its own.
 fn case_with_laws(random: &mut Random, kind: (Chart, Form)) -> Case {
     let mut case = case(random, kind);
-    let own = |inputs: &[usize], k: usize| Places { inputs: inputs.to_vec(), states: k..k + 1 };
+    let own = |inputs: &[usize], k: usize| Places::new(inputs, k..k + 1);
     // The fin shares an input with a wrench, and reads the one that the pilot commands.
     let numbers = [0; 3].map(|_| random.between(0.5, 2.0));
     case.model.forces.push(Force::Traced(programs::traced(&numbers, own(&[3, 12], 0), programs::fin)));
@@ -141,5 +163,5 @@ fn case_with_laws(random: &mut Random, kind: (Chart, Form)) -> Case {
 
 type Make = fn(&mut Random, (Chart, Form)) -> Case;
 
-/// Cases of built-in forces alone, and with laws of users.
-const MAKES: [Make; 2] = [case, case_with_laws];
+/// Cases of built-in forces alone, with laws of users, and with more than the body on the left.
+const MAKES: [Make; 3] = [case, case_with_laws, left_side::case_with_left];

@@ -33,7 +33,7 @@ fn lags_are_followed_through_changes_of_chart() {
     let exact = |t: f64, k: usize| u + (start[k] - u) * (-t / (tau * (k + 1) as f64)).exp();
     for form in [Form::QuasiVelocity, Form::Generalized] {
         let (mut body, mut x0) = tumbling(form);
-        let places = |k: usize| Places { inputs: vec![0], states: k..k + 1 };
+        let places = |k: usize| Places::new(&[0], k..k + 1);
         let idle = traced(&[tau], places(0), |p, s| [vec![E::lit(0.0); 6], vec![lag(p, s)]].concat());
         body.forces = vec![Force::Traced(idle)];
         body.control = Some(traced(&[2.0 * tau], places(1), |p, s| vec![lag(p, s)]));

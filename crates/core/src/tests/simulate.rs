@@ -67,11 +67,16 @@ fn a_run_repeats_bit_for_bit_and_samples_do_not_change_it() {
 
             let times: Vec<f64> = (0..=40).map(|k| 0.05 * f64::from(k)).collect();
             let sampled = run(&case.model, &Task { save_at: Some(&times), ..plain });
-            assert_eq!(sampled.times, times);
+            // A fixed step may be too large for the fastest of these motions: it ends earlier, with samples or without.
+            let reached: Vec<f64> = times.iter().copied().filter(|t| *t <= first.end_time).collect();
+            assert_eq!((&sampled.times, &sampled.ending), (&reached, &first.ending), "{kind:?} {method:?}");
             assert_eq!(bits(&sampled.end_state), bits(&first.end_state), "{kind:?} {method:?}");
             assert_eq!((sampled.steps, sampled.rejected), (first.steps, first.rejected));
             let n = case.x.len();
             assert_eq!(bits(&sampled.states[..n]), bits(&case.x));
+            if first.ending != Ending::ReachedEnd {
+                continue;
+            }
             // The end of a step is met by its interpolant up to rounding.
             let last = &sampled.states[40 * n..];
             let size = last.iter().fold(1.0, |m, x| f64::max(m, x.abs()));

@@ -76,7 +76,8 @@ impl<T: Lane> Seer<T> {
                 self.auxiliary.resize(y.len() - body.rigid_size(), zero);
                 motion.inputs_along(t, &mut self.inputs[..u]);
                 let t = Reading { value: t, slope: [T::one()] };
-                let sight = body.sight(t, &self.along, &mut self.inputs, &mut self.auxiliary);
+                let mut room = None;
+                let sight = body.sight(t, &self.along, &mut self.inputs, &mut self.auxiliary, &mut room);
                 for (law, out) in self.laws[laws].iter().zip(out) {
                     *out = law.value(&sight);
                 }

@@ -200,6 +200,7 @@ impl Writer<'_> {
             Operation::SelectLe => return self.choice(node.operands),
             Operation::Lookup(n) => table::name(self.function, n),
             Operation::Lookup2(n) => table::grid_name(self.function, n),
+            Operation::Lookup3(n) | Operation::Lookup4(n) => table::lattice_name(self.function, n),
             other => {
                 let name = self.language.function(other).unwrap_or_default();
                 format!("{}{name}", self.language.module())

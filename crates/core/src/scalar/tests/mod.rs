@@ -6,6 +6,7 @@ mod elementary;
 mod elementary_slopes;
 mod grid;
 mod lanes;
+mod lattice;
 mod spline;
 mod table;
 mod trigonometry;

@@ -165,8 +165,7 @@ fn a_run_is_the_same_when_it_is_watched() {
 #[test]
 fn inputs_and_commands_are_seen() {
     let (mut body, x0) = thrown([1.0, 0.0, 4.0]);
-    body.control =
-        Some(traced(&[], Places { inputs: vec![0], states: 0..0 }, |_, s| vec![s.inputs[0] + s.time]));
+    body.control = Some(traced(&[], Places::new(&[0], 0..0), |_, s| vec![s.inputs[0] + s.time]));
     let jump = Table::new(&[0.0, 0.7], &[0.0, 1.0], Interpolation::Hold).unwrap();
     let inputs = Inputs::tabulated(vec![jump]);
     let watched = events(vec![
@@ -268,7 +267,7 @@ fn an_orbit_is_seen_as_it_is() {
         outputs: vec![output(Take::Least, radius), output(Take::Greatest, radius)],
     };
     let energy = |t: f64, x: &[f64]| {
-        let (kinetic, potential) = body.energies(t, &body.rigid_state(x));
+        let (kinetic, potential) = body.energies(t, x, &[]);
         kinetic + potential
     };
     for method in METHODS {

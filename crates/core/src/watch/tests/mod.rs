@@ -17,7 +17,7 @@ pub fn event(
     inputs: &[usize],
     law: impl FnOnce(&Seen<'_>) -> E,
 ) -> Event {
-    let places = Places { inputs: inputs.to_vec(), states: 0..0 };
+    let places = Places::new(inputs, 0..0);
     Event { law: traced(&[], places, |_, s| vec![law(s)]), crossing, terminal }
 }
 

@@ -53,6 +53,8 @@ impl Writer<'_> {
             }
             Operation::Lookup(n) => raised(self.call(&format!("f_{{{n}}}"), &[a])),
             Operation::Lookup2(n) => raised(self.call(&format!("g_{{{n}}}"), &[a, b])),
+            Operation::Lookup3(n) => raised(self.call(&format!("h_{{{n}}}"), &[a, b, c])),
+            Operation::Lookup4(n) => raised(self.call(&format!("h_{{{n}}}"), &[a, b, c, d])),
             // Products and numbers are opened by `factors`.
             _ => raised(format!("\\left({}\\right)", self.sum(id))),
         }
