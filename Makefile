@@ -24,7 +24,7 @@ demo: $(EXTENSION) ## simulate a real tumbling body and check its numbers
 
 test: setup ## run every test: Rust, then Python
 	cargo test --locked --quiet -p freebody-core
-	$(BIN)/python -m pytest
+	$(BIN)/python -m pytest -n 2
 
 check: setup ## formatting, linters, types, import arrows, inlining, the documents' truth
 	cargo fmt --check

@@ -591,7 +591,7 @@ def test_a_body_pushed_beyond_doubles_is_refused() -> None:
 
 def test_errors_are_one_family() -> None:
     errors = [getattr(fb, name) for name in fb.__all__ if name.endswith("Error")]
-    assert len(errors) == 8
+    assert len(errors) == 9
     assert all(issubclass(error, fb.FreebodyError) for error in errors)
     assert issubclass(fb.BodyError, fb.InputError)
     assert issubclass(fb.InputError, ValueError)
