@@ -276,5 +276,6 @@ def test_the_mass_centre_at_the_start_is_that_of_the_whole(tmp_path: Path) -> No
     end = 1.0
     """)  # noqa: E501  (one line of the file)
     run = fb.load(path).simulate()
+    assert isinstance(run, fb.Trajectory)
     assert run.com[0].tolist() == [-0.5, 0.0, 0.0]
     assert run.com_position_world[0].tolist() == [5.0, 0.0, 0.0]
