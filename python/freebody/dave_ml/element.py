@@ -15,7 +15,7 @@ from freebody.dave_ml.model import DaveModel
 from freebody.dave_ml.standard import AirData, air_data
 from freebody.dave_ml.units import si
 from freebody.dave_ml.wiring import Mapped, Range, Wiring, wire
-from freebody.environment import Environment
+from freebody.environment import Environment, checked_environment
 from freebody.errors import InputError
 from freebody.tracing import ForceLaw, NoticeLaw, notice
 from freebody.tracing.wrench import wrench
@@ -89,8 +89,7 @@ class DaveAerodynamics(ForceLaw):
         constants: Iterable[str] = (),
         name: str = "dave_aerodynamics",
     ) -> None:
-        if not isinstance(environment, Environment):
-            raise InputError(f"environment: got {_check.shown(environment)}; give an Environment")
+        checked_environment(environment)
         if not isinstance(model, DaveModel):
             raise InputError(f"model: got {_check.shown(model)}; give what load_dave_ml returns")
         axes = np.eye(3) if body_from_aero is None else _check.rotation("body_from_aero", body_from_aero)

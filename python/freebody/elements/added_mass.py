@@ -10,8 +10,8 @@ from numpy.typing import ArrayLike
 
 from freebody import _check
 from freebody._check import Array
-from freebody.elements.seats import ORIGIN, at_least, seat, surroundings
-from freebody.environment import Environment
+from freebody.elements.seats import ORIGIN, at_least, seat
+from freebody.environment import Environment, checked_environment
 from freebody.errors import InputError
 from freebody.tracing import ForceLaw, wrench
 
@@ -61,7 +61,7 @@ class AddedMass(ForceLaw):
         axes: ArrayLike | None = None,
         name: str | None = None,
     ) -> None:
-        env, place = surroundings(environment), seat(at, axes)
+        env, place = checked_environment(environment), seat(at, axes)
         shifted = place.transform.T @ _checked(matrix) @ place.transform
         shifted = 0.5 * (shifted + shifted.T)
 
@@ -198,7 +198,7 @@ def lamb_factors(ratio: float) -> tuple[float, float, float]:
 
 
 def _density(environment: Environment, density: float | None) -> float:
-    given = surroundings(environment).atmosphere.at(0.0).density if density is None else density
+    given = checked_environment(environment).atmosphere.at(0.0).density if density is None else density
     return _check.number("density", given, positive=True)
 
 

@@ -12,7 +12,7 @@ from freebody import _check
 from freebody.elements.air_data import VARIABLES, AirData, Station
 from freebody.elements.coefficients import Coefficient, read_coefficients
 from freebody.elements.lookup import Lookup
-from freebody.environment import Environment
+from freebody.environment import Environment, checked_environment
 from freebody.errors import InputError
 from freebody.forces import ORIGIN
 from freebody.tables import Table
@@ -87,7 +87,7 @@ class Aerodynamics(ForceLaw):
         names = (*_FORCES[axes], *_MOMENTS)
         point = _point("reference_point", reference_point)
         station = Station(
-            _environment(environment),
+            checked_environment(environment),
             point if flow_point is None else _point("flow_point", flow_point),
             _check.number("span", span, positive=True),
             _check.number("chord", chord, positive=True),
@@ -167,7 +167,7 @@ class Drag(ForceLaw):
         name: str | None = None,
     ) -> None:
         point = _point("at", at)
-        station = Station(_environment(environment), point, 1.0, 1.0, {})
+        station = Station(checked_environment(environment), point, 1.0, 1.0, {})
         table = Lookup(coefficient, "mach") if isinstance(coefficient, Table) else None
         number = 1.0 if isinstance(coefficient, Table) else _check.number("coefficient", coefficient)
 
@@ -213,12 +213,6 @@ def _returned(values: Any, names: tuple[str, ...]) -> Mapping[str, Any]:
                 f"coefficients: {name!r} is none in these axes; {did_you_mean(str(name), names)}"
             )
     return values
-
-
-def _environment(value: object) -> Environment:
-    if not isinstance(value, Environment):
-        raise InputError(f"environment: got {_check.shown(value)}; give a freebody.environment.Environment")
-    return value
 
 
 def _point(name: str, value: ArrayLike) -> tuple[float, float, float]:

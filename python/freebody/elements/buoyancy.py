@@ -8,8 +8,8 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from freebody import _check
-from freebody.elements.seats import ORIGIN, at_least, seat, surroundings
-from freebody.environment import Environment
+from freebody.elements.seats import ORIGIN, at_least, seat
+from freebody.environment import Environment, checked_environment
 from freebody.errors import InputError
 from freebody.tracing import ForceLaw, wrench
 
@@ -37,7 +37,7 @@ class Buoyancy(ForceLaw):
     def __init__(
         self, environment: Environment, volume: float, at: ArrayLike = ORIGIN, *, name: str | None = None
     ) -> None:
-        env, center = surroundings(environment), _check.vector("at", at, 3)
+        env, center = checked_environment(environment), _check.vector("at", at, 3)
 
         def buoyancy(s: Any, p: Any) -> Any:
             flow = env.flow(s, p, center)
@@ -100,7 +100,7 @@ class Flotation(ForceLaw):
         axes: ArrayLike | None = None,
         name: str | None = None,
     ) -> None:
-        env, place = surroundings(environment), seat(at, axes)
+        env, place = checked_environment(environment), seat(at, axes)
         arm = place.axes.T @ (_check.vector("center", center, 3) - place.at)
         if arm[2] <= 0.0:
             raise InputError(

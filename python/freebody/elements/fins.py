@@ -10,9 +10,9 @@ from numpy.typing import ArrayLike
 
 from freebody import _check
 from freebody.elements.commands import command, unit_vector
-from freebody.elements.seats import at_least, surroundings
+from freebody.elements.seats import at_least
 from freebody.elements.smooth import TINY, saturated
-from freebody.environment import Environment
+from freebody.environment import Environment, checked_environment
 from freebody.errors import InputError
 from freebody.tracing import ForceLaw, wrench
 
@@ -79,7 +79,7 @@ class Fin(ForceLaw):
         stall: float = math.radians(20.0),
         name: str | None = None,
     ) -> None:
-        env, point = surroundings(environment), _check.vector("at", at, 3)
+        env, point = checked_environment(environment), _check.vector("at", at, 3)
         out, given = unit_vector("span", span), unit_vector("chord", chord)
         forward = given - (given @ out) * out
         if np.linalg.norm(forward) < 1e-6:

@@ -13,9 +13,9 @@ from numpy.typing import ArrayLike
 
 from freebody import _check
 from freebody._check import Array
-from freebody.elements.seats import ORIGIN, at_least, seat, surroundings
+from freebody.elements.seats import ORIGIN, at_least, seat
 from freebody.elements.smooth import TINY
-from freebody.environment import Environment
+from freebody.environment import Environment, checked_environment
 from freebody.errors import InputError
 from freebody.tracing import ForceLaw
 
@@ -54,7 +54,7 @@ class HydrodynamicDamping(ForceLaw):
         axes: ArrayLike | None = None,
         name: str | None = None,
     ) -> None:
-        env, place = surroundings(environment), seat(at, axes)
+        env, place = checked_environment(environment), seat(at, axes)
         if linear is None and quadratic is None:
             raise InputError("linear, quadratic: neither came; give at least one of the two")
         slow, fast = _matrix("linear", linear), _matrix("quadratic", quadratic)
@@ -147,7 +147,7 @@ class CrossFlowDrag(ForceLaw):
         axes: ArrayLike | None = None,
         name: str | None = None,
     ) -> None:
-        env, place = surroundings(environment), seat(at, axes)
+        env, place = checked_environment(environment), seat(at, axes)
         span = _check.number("length", length, positive=True)
         nodes, weights = np.polynomial.legendre.leggauss(_check.count("strips", strips))
         x, dx = 0.5 * span * nodes, 0.5 * span * weights
@@ -221,7 +221,7 @@ class HullLiftDrag(ForceLaw):
         axes: ArrayLike | None = None,
         name: str | None = None,
     ) -> None:
-        env, place = surroundings(environment), seat(at, axes)
+        env, place = checked_environment(environment), seat(at, axes)
 
         def hull_lift_drag(s: Any, p: Any) -> Any:
             flow = env.flow(s, p, place.at)

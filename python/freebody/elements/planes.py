@@ -9,8 +9,7 @@ from numpy.typing import ArrayLike
 
 from freebody import _check
 from freebody.elements.commands import unit_vector
-from freebody.elements.seats import surroundings
-from freebody.environment import Environment
+from freebody.environment import Environment, checked_environment
 from freebody.tracing.declaration import check_name
 
 __all__ = ["Plane", "ground", "plane"]
@@ -54,7 +53,7 @@ def plane(through: ArrayLike, normal: ArrayLike, velocity: ArrayLike, moving: st
 
 def ground(environment: Environment, altitude: float) -> Plane:
     """The ground of a planet at one altitude."""
-    planet = surroundings(environment).planet
+    planet = checked_environment(environment).planet
 
     def at(s: Any, p: Any, position: Any) -> tuple[Any, Any, Any]:
         place = planet.place(position, s.time)

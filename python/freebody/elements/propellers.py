@@ -11,7 +11,7 @@ from numpy.typing import ArrayLike
 from freebody import _check
 from freebody.elements.commands import Command, command, unit_vector
 from freebody.elements.seats import at_least
-from freebody.environment import Environment, Flow
+from freebody.environment import Environment, Flow, checked_environment
 from freebody.errors import InputError
 from freebody.forces import Spin
 from freebody.tables import Table
@@ -99,8 +99,7 @@ class Propeller(ForceLaw):
         name: str = "propeller",
     ) -> None:
         check_name("name", name)
-        if not isinstance(environment, Environment):
-            raise InputError(f"{name}: environment: got {_check.shown(environment)}; give an Environment")
+        checked_environment(environment, f"{name}: ")
         hub = _check.vector(f"{name}: at", at, 3)
         line = unit_vector(f"{name}: axis", axis)
         sense = 1.0 if _check.choice(f"{name}: hand", hand, ("right", "left")) == "right" else -1.0

@@ -10,7 +10,7 @@ import numpy as np
 from freebody import _check
 from freebody.elements.tanks import Tank
 from freebody.elements.thrusters import Thruster
-from freebody.environment import Environment
+from freebody.environment import Environment, checked_environment
 from freebody.errors import InputError
 from freebody.tracing import ContentsLaw, EventLaw, ForceLaw, mass_properties, wrench
 
@@ -56,8 +56,8 @@ class Propulsion(ForceLaw):
         *,
         name: str | None = None,
     ) -> None:
-        if not isinstance(environment, Environment | None):
-            raise InputError(f"environment: got {_check.shown(environment)}; give an Environment")
+        if environment is not None:
+            checked_environment(environment)
         jets = _listed("thrusters", thrusters, Thruster)
         store = {tank.name: tank for tank in _listed("tanks", tanks, Tank)}
         for thruster in jets:

@@ -9,11 +9,11 @@ from numpy.typing import ArrayLike
 
 from freebody import _check
 from freebody._check import Array
-from freebody.environment import Environment, Flow
+from freebody.environment import Flow
 from freebody.errors import InputError
 from freebody.tracing import wrench
 
-__all__ = ["ORIGIN", "Seat", "at_least", "seat", "surroundings"]
+__all__ = ["ORIGIN", "Seat", "at_least", "seat"]
 
 ORIGIN = (0.0, 0.0, 0.0)
 
@@ -52,15 +52,6 @@ class Seat(NamedTuple):
 def seat(at: ArrayLike, axes: ArrayLike | None) -> Seat:
     """Check a point and axes."""
     return Seat(_check.vector("at", at, 3), np.eye(3) if axes is None else _check.rotation("axes", axes))
-
-
-def surroundings(environment: object) -> Environment:
-    """Check an environment."""
-    if not isinstance(environment, Environment):
-        raise InputError(
-            f"environment: got {_check.shown(environment)}; give a freebody.environment.Environment"
-        )
-    return environment
 
 
 def at_least(name: str, value: float, low: float = 0.0) -> float:

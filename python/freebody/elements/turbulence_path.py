@@ -8,8 +8,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from freebody import _check
-from freebody.environment import Environment
-from freebody.errors import InputError
+from freebody.environment import Environment, checked_environment
 from freebody.tracing import ForceLaw, wrench
 
 __all__ = ["TurbulencePath"]
@@ -33,8 +32,7 @@ class TurbulencePath(ForceLaw):
     def __init__(
         self, environment: Environment, at: ArrayLike = (0.0, 0.0, 0.0), *, name: str = "turbulence"
     ) -> None:
-        if not isinstance(environment, Environment):
-            raise InputError(f"environment: got {_check.shown(environment)}; give an Environment")
+        checked_environment(environment)
         point = _check.vector("at", at, 3)
         steady = environment.steady
 

@@ -4,7 +4,7 @@ from freebody.environment.atmosphere import Air, Atmosphere, UniformAtmosphere
 from freebody.environment.atmosphere_1976 import USStandard1976
 from freebody.environment.atmosphere_table import TabulatedAtmosphere
 from freebody.environment.ellipsoid import WGS84, Ellipsoid, RoundEarth
-from freebody.environment.environment import Environment, Flow
+from freebody.environment.environment import Environment, Flow, checked_environment
 from freebody.environment.frames import OrbitFrame, lvlh
 from freebody.environment.gusts import OneMinusCosineGust
 from freebody.environment.planet import FlatEarth, Place, Planet
@@ -40,5 +40,6 @@ __all__ = [
     "WindShear",
     "WindTable",
     "Winds",
+    "checked_environment",
     "lvlh",
 ]

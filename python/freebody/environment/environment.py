@@ -17,7 +17,7 @@ from freebody.errors import InputError
 from freebody.tracing import NoticeLaw, notice
 from freebody.tracing.declaration import Shared
 
-__all__ = ["Environment", "Flow"]
+__all__ = ["Environment", "Flow", "checked_environment"]
 
 K = TypeVar("K", Planet, Atmosphere, Wind)
 
@@ -111,3 +111,10 @@ def _notice(planet: Planet, limit: Limit) -> NoticeLaw:
         return limit.inside(planet.place(s.position_world + s.world_from_body @ s.com, s.time))
 
     return notice(limit.message, inside, name=limit.name)
+
+
+def checked_environment(value: object, whose: str = "") -> Environment:
+    """Check an environment; `whose` is what messages begin with."""
+    if not isinstance(value, Environment):
+        raise InputError(f"{whose}environment: got {_check.shown(value)}; give an Environment")
+    return value

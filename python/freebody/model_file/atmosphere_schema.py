@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from abc import abstractmethod
 from typing import Annotated, Literal
 
 from pydantic import BeforeValidator, Field, model_validator
@@ -11,7 +12,7 @@ from freebody._check import Array
 from freebody.environment import Atmosphere
 from freebody.vehicles import f16
 
-from .environment_csv import read_rows
+from .csv_table import read_columns
 from .fields import Choice, OneOf, Quantity, Section
 from .problems import Source
 from .words import word_as_table
@@ -27,9 +28,9 @@ Number = Annotated[float | None, Quantity("")]
 class AtmosphereSection(Section):
     """One of the kinds of medium."""
 
+    @abstractmethod
     def atmosphere(self, key: str, source: Source) -> Atmosphere:
         """The medium; `key` is where the section stands."""
-        raise NotImplementedError
 
 
 class US76(AtmosphereSection):
@@ -118,7 +119,7 @@ class AtmosphereTable(AtmosphereSection):
         if self.csv is not None:
             units = {"altitude": "m", "density": "kg/m^3", "pressure": "Pa", "temperature": "K"}
             units |= {"speed_of_sound": "m/s", "dynamic_viscosity": "Pa s"}
-            values |= read_rows(self.csv, f"{key}.csv", source, units, ("altitude",))
+            values |= read_columns(self.csv, f"{key}.csv", source, units, ("altitude",))
         return surroundings.TabulatedAtmosphere(**values)
 
 

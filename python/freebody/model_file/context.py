@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from abc import abstractmethod
 from dataclasses import dataclass
 
 from freebody.body import RigidBody
@@ -37,6 +38,6 @@ class Context:
 class ForceSection(Section):
     """One of [[forces]]."""
 
+    @abstractmethod
     def element(self, context: Context) -> Force:
         """The force element."""
-        raise NotImplementedError

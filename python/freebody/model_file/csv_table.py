@@ -1,29 +1,33 @@
-"""The table of a tabulated wrench from a CSV file: columns by name, units in brackets."""
+"""Columns of a CSV file beside the model file, by the names and units of their headings."""
 
 from __future__ import annotations
 
 import csv
 import re
+from collections.abc import Mapping
 
 import numpy as np
-from numpy.typing import NDArray
+
+from freebody._check import Array
 
 from .fields import did_you_mean
 from .problems import Source
 from .units import FieldError, to_si
 
-__all__ = ["read_table"]
+__all__ = ["read_columns", "read_wrench"]
 
-_UNITS = {"time": "s"}
-_UNITS |= {f"{kind}_{axis}": unit for kind, unit in (("force", "N"), ("moment", "N m")) for axis in "xyz"}
+_WRENCH = {"time": "s"}
+_WRENCH |= {f"{kind}_{axis}": unit for kind, unit in (("force", "N"), ("moment", "N m")) for axis in "xyz"}
 _HEADING = re.compile(r"\s*(\w+)\s*(?:\[(.*)\])?\s*")
 
 
-def read_table(name: str, key: str, source: Source) -> dict[str, NDArray[np.float64]]:
-    """times, force and moment in SI from the CSV file `name`, taken relative to the model file.
+def read_columns(
+    name: str, key: str, source: Source, units: Mapping[str, str], needed: tuple[str, ...]
+) -> dict[str, Array]:
+    """The columns in SI, of the file `name`, taken relative to the model file.
 
-    Columns are `time` and any of `force_x` ... `moment_z`, each with a unit if it is not SI: `time [h]`.
-    A column that is missing is zero. Raises `ModelFileError` at `key`.
+    `units` has the columns that there may be with their units of SI; a heading may have another,
+    `altitude [ft]`. Raises `ModelFileError` at `key`.
     """
     path = source.path.parent / name
     try:
@@ -36,17 +40,24 @@ def read_table(name: str, key: str, source: Source) -> dict[str, NDArray[np.floa
         raise source.error(key, f"{path} is no table of numbers under a line of headings: {error}") from None
     if not rows:
         raise source.error(key, f"{path} has headings but no rows")
-    table = {}
+    found = {}
     for heading, column in zip(headings, columns, strict=True):
         match = _HEADING.fullmatch(heading)
-        if match is None or match[1] not in _UNITS:
-            raise source.error(key, f"{path}: unknown column {heading!r}{did_you_mean(heading, _UNITS)}")
+        if match is None or match[1] not in units:
+            raise source.error(key, f"{path}: unknown column {heading!r}{did_you_mean(heading, units)}")
         try:
-            table[match[1]] = column * to_si(f"1 {match[2] or _UNITS[match[1]]}", _UNITS[match[1]], ())
+            found[match[1]] = column * to_si(f"1 {match[2]}", units[match[1]], ()) if match[2] else column
         except FieldError as error:
             raise source.error(key, f"{path}: column {heading!r}: {error}") from None
-    if "time" not in table:
-        raise source.error(key, f"{path} has no column 'time'")
+    for wanted in needed:
+        if wanted not in found:
+            raise source.error(key, f"{path} has no column {wanted!r}")
+    return found
+
+
+def read_wrench(name: str, key: str, source: Source) -> dict[str, Array]:
+    """times, force and moment: of `force_x` ... `moment_z` those that are missing are zero."""
+    table = read_columns(name, key, source, _WRENCH, ("time",))
     zero = np.zeros_like(table["time"])
     wrench = {
         kind: np.column_stack([table.get(f"{kind}_{axis}", zero) for axis in "xyz"])

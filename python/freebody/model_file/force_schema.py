@@ -10,7 +10,7 @@ from freebody import forces
 from freebody._check import Array
 
 from .context import Context, ForceSection
-from .csv_table import read_table
+from .csv_table import read_wrench
 from .fields import Choice, Quantity
 
 __all__ = ["SECTIONS"]
@@ -101,7 +101,7 @@ class TabulatedWrench(ForceSection):
     def element(self, context: Context) -> forces.Force:
         values = self.given("type", "csv")
         if self.csv is not None:
-            values |= read_table(self.csv, f"{context.key}.csv", context.source)
+            values |= read_wrench(self.csv, f"{context.key}.csv", context.source)
         return forces.TabulatedWrench(**values)
 
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from abc import abstractmethod
 from collections.abc import Callable
 from typing import Annotated, Any, ClassVar, Literal
 
@@ -59,9 +60,9 @@ class PlaceTable(Section):
 class PlanetSection(Section):
     """One of the kinds of planet."""
 
+    @abstractmethod
     def planet(self) -> Planet:
         """The planet."""
-        raise NotImplementedError
 
 
 class _Turning(PlanetSection):

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from abc import abstractmethod
 from typing import Annotated, Any, Literal
 
 import numpy as np
@@ -12,7 +13,7 @@ from freebody._check import Array
 from freebody.environment import Wind
 from freebody.environment.turbulence_scales import SEVERITIES
 
-from .environment_csv import read_rows
+from .csv_table import read_columns
 from .fields import Choice, OneOf, Quantity, Section
 from .problems import Source
 from .units import FieldError
@@ -35,9 +36,9 @@ class WindSection(Section):
 
     name: str | None = _NAME
 
+    @abstractmethod
     def wind(self, key: str, source: Source) -> Wind:
         """The wind; `key` is where the section stands."""
-        raise NotImplementedError
 
 
 class Constant(WindSection):
@@ -93,7 +94,7 @@ class WindTable(WindSection):
         if self.csv is not None:
             units = {"altitude": "m", "north": "m/s", "east": "m/s", "down": "m/s"}
             units |= {"blowing_from": "rad", "speed": "m/s"}
-            rows = read_rows(self.csv, f"{key}.csv", source, units, ("altitude",))
+            rows = read_columns(self.csv, f"{key}.csv", source, units, ("altitude",))
             if not rows.keys() >= {"blowing_from", "speed"} and rows.keys() & {"blowing_from", "speed"}:
                 raise source.error(f"{key}.csv", "blowing_from and speed go together")
             zero = np.zeros_like(rows["altitude"])
