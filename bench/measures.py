@@ -59,8 +59,10 @@ def _full(ways: Iterable[Way]) -> Iterator[Way]:
 
 
 def _non_zeros(program: Program, ways: Iterable[Way]) -> Iterator[Way]:
-    """freebody gives full matrices only, and stands for itself with these."""
-    return (way for way in ways if way.sparse or program.name == "freebody")
+    """freebody gives full matrices at single states, and stands for itself with these."""
+    ways = list(ways)
+    alone = program.name == "freebody" and not any(way.sparse for way in ways)
+    return (way for way in ways if way.sparse or alone)
 
 
 def single(programs: Sequence[Program]) -> Iterator[Row]:

@@ -59,14 +59,29 @@ class Freebody(Nothing):
 
     def jacobian(self) -> Iterable[Way]:
         f, x = self.model.jacobian, truth.start()
-        error = difference(truth.jacobian(), lambda: np.hstack(f(0.0, x)))
-        yield Way("new arrays", "f(0.0, x)", {"f": f, "x": x}, error)
+        out = np.empty((case.STATES, case.STATES)), np.empty((case.STATES, case.INPUTS))
+        names = {"f": f, "x": x, "out": out}
+        right = truth.jacobian()
+        yield Way("into arrays", "f(0.0, x, None, out)", names, difference(right, lambda: np.hstack(out)))
+        yield Way("new arrays", "f(0.0, x)", names, difference(right, lambda: np.hstack(f(0.0, x))))
 
     def jacobians(self, x: np.ndarray, threads: int) -> Iterable[Way]:
+        right = truth.jacobians(x[:, :CHECKED])
         out = np.empty((case.STATES, case.STATES + case.INPUTS, x.shape[1]))
-        names = {"f": self.model.jacobian_batch, "x": x, "out": out, "threads": threads}
-        error = difference(truth.jacobians(x[:, :CHECKED]), lambda: out[:, :, :CHECKED])
-        yield Way("jacobian_batch", "f(0.0, x, None, out, threads)", names, error, x.shape[1])
+        names = {"f": self.model.jacobian_batch, "x": x, "threads": threads}
+        error = difference(right, lambda: out[:, :, :CHECKED])
+        yield Way("jacobian_batch", "f(0.0, x, None, out, threads)", names | {"out": out}, error, x.shape[1])
+        entries = self.model.jacobian_entries
+        few = np.empty((len(entries[0]), x.shape[1]))
+
+        def given() -> np.ndarray:
+            full = np.zeros_like(right)
+            full[entries] = few[:, :CHECKED]
+            return full
+
+        statement = "f(0.0, x, None, out, threads, True)"
+        sparse = "jacobian_batch, sparse"
+        yield Way(sparse, statement, names | {"out": few}, difference(right, given), x.shape[1], True)
 
     def methods(self) -> Mapping[str, Iterable[float]]:
         steps = [case.SECONDS / round(300 * 1.09**k) for k in range(52)]

@@ -4,11 +4,13 @@ from __future__ import annotations
 
 import math
 import reprlib
+from collections.abc import Sequence
 from typing import NamedTuple, TypeAlias
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from freebody import _core
 from freebody.errors import InputError
 
 Array: TypeAlias = NDArray[np.float64]
@@ -140,17 +142,18 @@ def numbers(name: str, value: ArrayLike, *shape: int) -> Array:
 
 def vector(name: str, value: ArrayLike, *shape: int) -> Array:
     """Check finite numbers of exactly this shape; a copy that nobody else can change."""
-    if type(value) is np.ndarray and value.dtype == np.float64 and value.shape == shape and value.size > 0:
-        array = value.copy()  # the usual case, without the questions of the others
-        array = array if np.isfinite(array).all() else _finite(name, array)
-    else:
+    array = _core.frozen(value)  # the usual case, without the questions of the others
+    if array is None or array.shape != shape:
         array = np.ascontiguousarray(_finite(name, numbers(name, value, *shape)))
-    array.flags.writeable = False
+        array.flags.writeable = False
     return array
 
 
 def series(name: str, value: ArrayLike) -> Array:
     """Check finite numbers (n,), n at least 1; a copy that nobody else can change."""
+    frozen = _core.frozen(value)
+    if frozen is not None and frozen.ndim == 1:
+        return frozen
     array = _real(name, value, "(n,)")
     if array.ndim != 1:
         raise InputError(f"{name}: got shape {array.shape}; allowed is (n,) with n of at least 1")
@@ -173,13 +176,15 @@ def diagonal_or_full(name: str, value: ArrayLike, n: int) -> Array:
     return vector(name, array, *array.shape)
 
 
-def out_refusal(out: object, n: int) -> InputError:
-    """Why results cannot be written to `out`."""
+def out_refusal(name: str, out: object, shape: Sequence[int] | None) -> InputError:
+    """Why results cannot be written to `out`, an array of this shape, or without one a pair of arrays."""
     came = shown(out)
     if isinstance(out, np.ndarray):
         came = f"an array of {out.dtype}, shape {out.shape}, strides {out.strides}"
         came += "" if out.flags.writeable else ", read-only"
-    return InputError(f"out: got {came}; give a writable contiguous float64 array of shape ({n},)")
+    if shape is None:
+        return InputError(f"{name}: got {came}; give a pair of arrays")
+    return InputError(f"{name}: got {came}; give a writable contiguous float64 array of shape {tuple(shape)}")
 
 
 def number(name: str, value: float, *, positive: bool = False) -> float:

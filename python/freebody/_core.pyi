@@ -174,8 +174,17 @@ class Model:
         u: ArrayLike | None = None,
         out: _Array | None = None,
         threads: int = 1,
+        sparse: bool = False,
     ) -> _Array: ...
-    def jacobian(self, t: float, x: ArrayLike, u: ArrayLike | None = None) -> tuple[_Array, _Array]: ...
+    @property
+    def jacobian_entries(self) -> tuple[NDArray[np.int64], NDArray[np.int64]]: ...
+    def jacobian(
+        self,
+        t: float,
+        x: ArrayLike,
+        u: ArrayLike | None = None,
+        out: tuple[_Array, _Array] | None = None,
+    ) -> tuple[_Array, _Array]: ...
     def wrench(self, t: float, x: ArrayLike, u: ArrayLike | None = None) -> _Array: ...
     def motion(self, x: _Array) -> tuple[_Array, _Array, _Array]: ...
     def commands(self, t: _Array, x: _Array, u: _Array) -> _Array: ...
@@ -188,7 +197,9 @@ class Model:
     def singularity_distances(self, x: _Array) -> _Array | None: ...
 
 class RunResult:
-    def samples(self) -> tuple[_Array, _Array]: ...
+    def samples(self) -> tuple[_Array, _Array, int, int, int, float]: ...
+    @property
+    def inputs(self) -> _Array: ...
     @property
     def status(self) -> str: ...
     @property
@@ -204,8 +215,6 @@ class RunResult:
     def end_state(self) -> _Array: ...
     @property
     def chart_changes(self) -> list[tuple[float, bool, float]]: ...
-    @property
-    def counts(self) -> tuple[int, int, int]: ...
 
 class EnsembleResult:
     @property
@@ -243,18 +252,16 @@ class Lattice:
     def __new__(cls, axes: Sequence[_Array], values: _Array, interpolation: str) -> Self: ...
     def value(self, *at: _Array) -> _Array: ...
 
+def frozen(value: object) -> _Array | None: ...
+def rising(times: object, first: float, last: float) -> _Array | None: ...
 def simulate(
     model: Model,
-    x0: _Array,
-    span: tuple[float, float],
-    *,
-    constant: ArrayLike,
+    x0: ArrayLike,
+    settings: tuple[
+        tuple[float, float], str, tuple[float, float], float | None, NDArray[np.float64] | None, int
+    ],
+    constant: ArrayLike | None,
     table: tuple[_Array, _Array, bool] | None,
-    save_at: _Array | None,
-    method: str,
-    tolerance: tuple[float, float],
-    step: float | None,
-    max_steps: int,
     progress: Callable[[float], object] | None,
     events: Sequence[tuple[Program, Sequence[float], Sequence[int], str, bool]],
     outputs: Sequence[tuple[Program, Sequence[float], Sequence[int], str]],

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Iterable, Mapping
 from typing import Any, Literal
 
 from numpy.typing import ArrayLike
@@ -19,7 +19,7 @@ from freebody.interfaces import Control, Force, StateQuantity
 from freebody.left_side import left_side
 from freebody.linearization import Linearization, linearize
 from freebody.signals import Source, connect, labels, reads_inputs, rigid_state_labels
-from freebody.simulation import InputTable, Method, Trajectory, simulate
+from freebody.simulation import InputTable, Trajectory, notices_of, simulate
 from freebody.states import state_of
 from freebody.tracing import EventLaw, OutputLaw
 
@@ -61,6 +61,8 @@ class Model(_core.Model):
         What the control law commands.
     sources
         What laws can read by name: inputs, commands, and states that forces publish.
+    notices
+        What its forces and surroundings have to say when it comes to pass, with the name of who says it.
     """
 
     body: RigidBody
@@ -80,6 +82,7 @@ class Model(_core.Model):
     command_units: tuple[str, ...]
     auxiliary_states: tuple[StateQuantity, ...]
     sources: Mapping[str, Source]
+    notices: tuple[tuple[str, EventLaw], ...]
 
     def __new__(
         cls,
@@ -136,6 +139,7 @@ class Model(_core.Model):
         self.body, self.forces, self.attitude, self.form = body, given, attitude, form
         self.control, self.acting_names, self.compiled = control, tuple(names), compiled is not None
         self.name, self.environment = _check.label("name", name), environment
+        self.notices = notices_of(given, environment)
         names, units = rigid_state_labels(attitude, form == "generalized")
         self.state_names = (*names, *(s.name for s in signals.states))
         self.state_units = (*units, *(s.unit for s in signals.states))
@@ -184,76 +188,7 @@ class Model(_core.Model):
         twist = velocity_body, velocity_world, angular_velocity_body, angular_velocity_world
         return state_of(self, position, attitude, twist, states)
 
-    def simulate(
-        self,
-        x0: ArrayLike,
-        t_span: tuple[float, float],
-        *,
-        method: Method = "dop853",
-        rtol: float = 1e-9,
-        atol: float | None = None,
-        step: float | None = None,
-        save_every: float | None = None,
-        save_at: ArrayLike | None = None,
-        inputs: ArrayLike | InputTable | None = None,
-        max_steps: int = 10_000_000,
-        progress: Callable[[float], object] | None = None,
-        events: Iterable[EventLaw] = (),
-        outputs: Iterable[OutputLaw] = (),
-    ) -> Trajectory:
-        """Simulate from a state.
-
-        A run in angles that comes near their singularity goes on in quaternions and comes back; its samples
-        stay in the angles asked for.
-
-        Parameters
-        ----------
-        x0
-            State at the start, (n_states,); see `state`.
-        t_span
-            Start and end, s.
-        method
-            "dop853", "dp54": Dormand-Prince 8(5,3) and 5(4), adaptive. "rk4": classical, fixed step. (Hairer,
-            Nørsett, Wanner, Solving ODEs I, 2nd ed., II.1, II.5.) "rodas5p": for stiff forces, adaptive
-            (Steinebach, BIT 63, 2023). "gauss6": fixed step, keeps the energy of free motion (Hairer, Lubich,
-            Wanner, Geometric Numerical Integration, 2nd ed., IV.2).
-        rtol, atol
-            Error allowed to one step: of each vector of the state (position, velocity, ...) atol + rtol times
-            its length, of the orientation rtol rad. atol is 1e-3 rtol when omitted, in SI units.
-        step
-            The fixed step of rk4 and gauss6, s; the first step of the others, which otherwise choose one.
-        save_every, save_at
-            Samples every so many s and at the end, or at given times (n,); every step when both are omitted.
-        inputs
-            Constant inputs (n_inputs,), or an `InputTable`; zero when omitted.
-        max_steps
-            Stop after so many steps, accepted and rejected.
-        progress
-            Called now and then with the part done, 0 to 1.
-        events, outputs
-            Made by `freebody.event` and `freebody.output`; see the trajectory's `events` and `outputs`.
-
-        Returns
-        -------
-        Trajectory
-            Whatever happens: how the run ended is its `outcome`.
-        """
-        return simulate(
-            self,
-            x0,
-            t_span,
-            method=method,
-            rtol=rtol,
-            atol=atol,
-            step=step,
-            save_every=save_every,
-            save_at=save_at,
-            inputs=inputs,
-            max_steps=max_steps,
-            progress=progress,
-            events=events,
-            outputs=outputs,
-        )
+    simulate = simulate
 
     def ensemble(
         self,

@@ -59,6 +59,26 @@ def test_jacobians_are_those_of_the_states_alone(model, points):
         np.testing.assert_allclose(jacobian[:, :, k], alone, rtol=0, atol=1e-14 * np.abs(alone).max())
 
 
+def test_entries_left_out_are_zero(model, points):
+    t, x, u = points
+    dense, sparse = model.jacobian_batch(t, x, u), model.jacobian_batch(t, x, u, sparse=True)
+    rows, columns = model.jacobian_entries
+    assert rows.dtype == columns.dtype == np.int64
+    np.testing.assert_array_equal(sparse, dense[rows, columns])
+    left_out = np.ones(dense.shape[:2], dtype=bool)
+    left_out[rows, columns] = False
+    assert np.all(dense[left_out] == 0.0)
+    out = np.empty_like(sparse)
+    assert model.jacobian_batch(t, x, u, out, threads=2, sparse=True) is out
+    np.testing.assert_array_equal(out, sparse)
+
+
+def test_known_models_leave_entries_out():
+    known, other = models()
+    assert len(known.jacobian_entries[0]) < 13 * 19
+    assert len(other.jacobian_entries[0]) == other.n_states * (other.n_states + other.n_inputs)
+
+
 def test_one_time_and_one_input_stand_for_all(model, points):
     _, x, u = points
     wide = np.repeat(u[:, :1], COUNT, axis=1)

@@ -248,6 +248,34 @@ def test_derivative_writes_where_it_is_told() -> None:
     assert model.derivative(0.0, x) is not model.derivative(0.0, x)
 
 
+@pytest.mark.parametrize("attitude", ["quaternion", "zyx"])
+def test_jacobian_writes_where_it_is_told(attitude: str) -> None:
+    model = model_of(attitude)
+    x, u, n = state_of(model), np.arange(6.0), model.n_states
+    out = np.full((n, n), np.nan), np.full((n, 6), np.nan)
+    assert model.jacobian(0.0, x, u, out) is out
+    for written, new in zip(out, model.jacobian(0.0, x, u), strict=True):
+        assert np.array_equal(written, new)
+    # A pair may be kept in any arrays that are contiguous.
+    kept = np.zeros(n * n + 6 * n)
+    model.jacobian(0.0, x, u, (kept[: n * n].reshape(n, n), kept[n * n :].reshape(n, 6)))
+    assert np.array_equal(kept, np.concatenate([part.ravel() for part in out]))
+
+
+def test_jacobian_of_many_states_and_inputs() -> None:
+    """More than there is room for on the stack."""
+    columns = [fb.InputWrench(name=f"thruster {i}", at=[0.1 * i, 0.0, 0.0]) for i in range(5)]
+    model = model_of("quaternion", "quasi_velocity", *columns)
+    x, u = state_of(model), np.arange(30.0)
+    a, b = model.jacobian(0.0, x, u)
+    assert (a.shape, b.shape) == ((13, 13), (13, 30))
+    single, _ = model_of("quaternion").jacobian(0.0, x, model.wrench(0.0, x, u))
+    np.testing.assert_allclose(a, single, rtol=0, atol=1e-12)  # rounding of terms of order ten
+    out = np.empty((13, 13)), np.empty((13, 30))
+    model.jacobian(0.0, x, u, out)
+    assert np.array_equal(np.hstack(out), np.hstack([a, b]))
+
+
 @pytest.mark.parametrize("sequence", SEQUENCES)
 @pytest.mark.parametrize("turns", [0.0, 2.0, -4.0])
 @pytest.mark.parametrize("form", FORMS)

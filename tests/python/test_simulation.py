@@ -364,6 +364,10 @@ def test_runs_can_be_sent() -> None:
     assert np.array_equal(twin.x, run.x)
     assert np.array_equal(twin.energy, run.energy)
     assert (twin.outcome.status, twin.steps, twin.model.name) == ("reached_end", run.steps, "stone")
+    # Also what is told only when asked.
+    assert (twin.outcome.message, twin.chart_changes, twin.events) == (run.outcome.message, (), ())
+    assert np.array_equal(twin.outcome.state, run.outcome.state)
+    assert np.array_equal(twin.u, np.zeros((len(run), MODEL.n_inputs)))
 
 
 @pytest.mark.parametrize("options", METHODS, ids=lambda o: o["method"])

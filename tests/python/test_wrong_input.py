@@ -496,6 +496,36 @@ def test_wrong_out(fault: str) -> None:
     refused(lambda v: MODEL.derivative(0.0, X, out=v), WRONG_OUT[fault], told)
 
 
+MATRICES: dict[str, Any] = {
+    "list": np.zeros((13, 13)).tolist(),
+    "row": np.zeros(13 * 13),
+    "wide": np.zeros((13, 14)),
+    "single": np.zeros((13, 13), np.float32),
+    "by columns": np.zeros((13, 13), order="F"),
+    "a part": np.zeros((13, 19))[:, :13],
+    "read-only": np.broadcast_to(0.0, (13, 13)),
+    "misaligned": np.zeros(8 * 169 + 1, np.uint8)[1:].view(float).reshape(13, 13),
+}
+
+
+@pytest.mark.parametrize("fault", MATRICES)
+def test_wrong_matrix_for_a_jacobian(fault: str) -> None:
+    b = np.zeros((13, 6))
+    told = r"^out\[0\]: got .*; give a writable contiguous float64 array of shape \(13, 13\)"
+    refused(lambda v: MODEL.jacobian(0.0, X, out=(v, b)), MATRICES[fault], told)
+    # The other one is not written either.
+    a = np.full((13, 13), np.nan)
+    told = r"^out\[1\]: got .*; give a writable contiguous float64 array of shape \(13, 6\)"
+    refused(lambda v: MODEL.jacobian(0.0, X, out=(a, v)), MATRICES[fault], told)
+    assert np.isnan(a).all()
+    assert np.array_equal(b, np.zeros((13, 6)))
+
+
+@pytest.mark.parametrize("pair", [np.zeros((13, 19)), (np.zeros((13, 13)),), [1, 2], 7, "ab"], ids=str)
+def test_wrong_pair_for_a_jacobian(pair: Any) -> None:
+    refused(lambda v: MODEL.jacobian(0.0, X, out=v), pair, "^out: got .*; give a pair of arrays")
+
+
 def test_misaligned_numbers_are_copied() -> None:
     x = np.zeros(8 * 13 + 1, np.uint8)[1:].view(float)
     x[:] = X
@@ -512,14 +542,19 @@ def test_the_state_will_do_as_out() -> None:
 def test_an_error_loses_nothing() -> None:
     x, u = X.copy(), np.zeros(6)
     x[5] = np.nan
-    out = np.arange(13.0)
+    out, pair = np.arange(13.0), (np.ones((13, 13)), np.ones((13, 6)))
     wrong: list[tuple[Any, ...]] = [(0.0, x), (np.nan, X), (0.0, X, np.full(6, np.inf)), (0.0, X, [1.0])]
     for bad in wrong:
         with pytest.raises(fb.InputError):
             MODEL.derivative(*bad, out=out)
+        with pytest.raises(fb.InputError):
+            MODEL.jacobian(*bad, out=pair)
     at_center = fb.Model(BODY, [fb.PointMassGravity(1.0, center=BODY.com, name="sun")])
     with pytest.raises(fb.NonFiniteError):
         at_center.derivative(0.0, X, out=out)
+    with pytest.raises(fb.NonFiniteError):
+        at_center.jacobian(0.0, X, out=pair)
+    assert all((part == 1.0).all() for part in pair)
     assert np.array_equal(out, np.arange(13.0))
     assert np.array_equal(u, np.zeros(6))
     # ... and the model goes on.

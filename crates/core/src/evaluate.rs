@@ -1,16 +1,20 @@
 //! A body made ready for this machine: f and its Jacobians at single states, on the best instruction set.
 
 use crate::buffer::Buffer;
-use crate::bulk::{Points, always_zero, closed_jacobians, derivatives, dual_jacobians};
+use crate::bulk::{Layout, Points, closed_jacobians, derivatives, dual_jacobians};
+use crate::forces::Usual;
 use crate::linearize;
 use crate::phase_space::parts::{Parts, Sizes};
-use crate::phase_space::{Entries, FreeBody, elsewhere};
+use crate::phase_space::{ClosedJacobian, Dynamics, Entries, FreeBody, STATES, elsewhere};
 use crate::scalar::isa::{Isa, with_lanes};
 use crate::scalar::{Block, Dual, Lane};
 use std::sync::Arc;
 
 /// Inputs up to this count are passed on the stack.
 const ON_STACK: usize = 16;
+
+/// And up to this many of a body under the usual forces: those of one wrench.
+const PLAIN_INPUTS: usize = 6;
 
 /// Directions a lane holds in one pass of a Jacobian: more make fewer passes, but long code that is no faster.
 const DIRECTIONS: usize = 1;
@@ -21,33 +25,34 @@ trait Evaluate: Send + Sync {
     fn jacobian(&self, t: f64, x: &[f64], u: &[f64], by_state: &mut [f64], by_input: &mut [f64]);
     fn derivatives(&self, points: &Points<'_>, out: &mut [f64], threads: usize);
     fn jacobians(&self, points: &Points<'_>, out: &mut [f64], threads: usize);
+    fn sparse_jacobians(&self, points: &Points<'_>, out: &mut [f64], threads: usize);
+    fn jacobian_entries(&self) -> Option<&[(usize, usize)]>;
 }
 
 /// The body over a single number `S` for values, and over lanes `L` of directions for derivatives.
 struct On<S, L> {
+    /// The forces without inputs on a body that [`FreeBody::plain_rate`] knows.
+    unforced: Option<Usual<S>>,
     values: FreeBody<S>,
     lanes: FreeBody<L>,
     duals: FreeBody<Dual<L, DIRECTIONS>>,
-    /// If the Jacobian has a closed form, the entries that are always zero.
-    zeros: Option<Vec<usize>>,
+    closed: Option<Closed>,
 }
 
-/// The two parts of a Jacobian that is written.
-struct Parted<'a> {
-    by_state: &'a mut [f64],
-    by_input: &'a mut [f64],
-    states: usize,
-    inputs: usize,
+/// The closed form of the Jacobian, with where many of them are written.
+struct Closed {
+    form: ClosedJacobian,
+    dense: Layout,
+    sparse: Layout,
 }
 
-impl<S: Lane> Entries<S> for Parted<'_> {
+/// ∂f/∂x that is written.
+struct ByState<'a>(&'a mut [f64; STATES * STATES]);
+
+impl<S: Lane> Entries<S> for ByState<'_> {
     #[inline(always)]
     fn put(&mut self, row: usize, column: usize, value: S) {
-        let place = match column.checked_sub(self.states) {
-            None => &mut self.by_state[row * self.states + column],
-            Some(input) => &mut self.by_input[row * self.inputs + input],
-        };
-        *place = number(value);
+        self.0[row * STATES + column] = number(value);
     }
 }
 
@@ -85,20 +90,47 @@ impl<S: Lane, L: Lane> On<S, L> {
 }
 
 impl<S: Lane, L: Lane> On<S, L> {
-    /// The Jacobian by its entries that are not always zero.
-    fn closed_jacobian(&self, x: &[f64], by_state: &mut [f64], by_input: &mut [f64]) {
+    /// The derivative of a body that is no more than that.
+    #[inline(always)]
+    fn plain_derivative(&self, unforced: &Usual<S>, x: &[f64; STATES], u: &[f64], dx: &mut [f64]) {
+        let mut state = [S::zero(); STATES];
+        for (to, x) in state.iter_mut().zip(x) {
+            *to = S::lit(*x);
+        }
+        let mut rate = state;
+        // Most are asked without inputs.
+        if u.iter().all(|u| u.to_bits() == 0) {
+            self.values.plain_rate_under(unforced, &state, &[], &mut rate);
+        } else {
+            let mut input = [S::zero(); PLAIN_INPUTS];
+            for (to, u) in input.iter_mut().zip(u) {
+                *to = S::lit(*u);
+            }
+            self.values.plain_rate(&state, &input, &mut rate);
+        }
+        for (to, r) in dx.iter_mut().zip(rate) {
+            *to = number(r);
+        }
+    }
+
+    /// The Jacobian by its closed form.
+    fn closed_jacobian(
+        &self,
+        closed: &ClosedJacobian,
+        x: &[f64],
+        by_state: &mut [f64],
+        by_input: &mut [f64],
+    ) {
+        closed.write_constant(by_state, by_input);
+        let (Some(x), Some(by_state)) = (x.first_chunk(), by_state.first_chunk_mut()) else { return };
         L::call(
             #[inline(always)]
             || {
-                by_state.fill(0.0);
-                by_input.fill(0.0);
-                let mut state = [S::zero(); Sizes::LARGEST.rigid()];
-                for (to, x) in state.iter_mut().zip(x) {
+                let mut state = [S::zero(); STATES];
+                for (to, x) in state.iter_mut().zip(x as &[f64; STATES]) {
                     *to = S::lit(*x);
                 }
-                let inputs = by_input.len() / x.len();
-                let mut out = Parted { by_state, by_input, states: x.len(), inputs };
-                self.values.write_jacobian(&state[..x.len()], &mut out);
+                closed.write_varying(&state, &mut ByState(by_state));
             },
         );
     }
@@ -106,6 +138,13 @@ impl<S: Lane, L: Lane> On<S, L> {
 
 impl<S: Lane, L: Lane> Evaluate for On<S, L> {
     fn derivative(&self, t: f64, x: &[f64], u: &[f64], dx: &mut [f64]) {
+        // `S` rounds as a lane of `L` does.
+        if let (Some(unforced), Some(x)) = (&self.unforced, x.first_chunk()) {
+            return S::call(
+                #[inline(always)]
+                || self.plain_derivative(unforced, x, u, dx),
+            );
+        }
         if self.values.left.is_some() {
             return self.with_laws::<true>(t, x, u, dx);
         }
@@ -141,8 +180,10 @@ impl<S: Lane, L: Lane> Evaluate for On<S, L> {
     }
 
     fn jacobian(&self, t: f64, x: &[f64], u: &[f64], by_state: &mut [f64], by_input: &mut [f64]) {
-        if self.zeros.is_some() {
-            return self.closed_jacobian(x, by_state, by_input);
+        if let Some(Closed { form, .. }) = &self.closed
+            && form.inputs() == u.len()
+        {
+            return self.closed_jacobian(form, x, by_state, by_input);
         }
         L::call(
             #[inline(always)]
@@ -155,11 +196,34 @@ impl<S: Lane, L: Lane> Evaluate for On<S, L> {
     }
 
     fn jacobians(&self, points: &Points<'_>, out: &mut [f64], threads: usize) {
-        match &self.zeros {
-            Some(zeros) => closed_jacobians(&self.lanes, zeros, points, out, threads),
+        match &self.closed {
+            Some(Closed { form, dense, .. }) if form.inputs() == points.inputs => {
+                closed_jacobians::<L>(form, dense, points, out, threads);
+            }
+            _ => dual_jacobians(&self.duals, points, out, threads),
+        }
+    }
+
+    fn sparse_jacobians(&self, points: &Points<'_>, out: &mut [f64], threads: usize) {
+        match &self.closed {
+            Some(Closed { form, sparse, .. }) => closed_jacobians::<L>(form, sparse, points, out, threads),
             None => dual_jacobians(&self.duals, points, out, threads),
         }
     }
+
+    fn jacobian_entries(&self) -> Option<&[(usize, usize)]> {
+        self.closed.as_ref().map(|closed| &closed.sparse.entries[..])
+    }
+}
+
+/// The forces of a plain body of a few inputs, without them.
+fn unforced<S: Lane>(body: &FreeBody<S>, inputs: usize) -> Option<Usual<S>> {
+    let acting = body.acting.as_ref().filter(|_| body.is_plain() && inputs <= PLAIN_INPUTS)?;
+    let zero = S::call(
+        #[inline(always)]
+        || acting.usual.with_constant(&[S::zero(); PLAIN_INPUTS]),
+    );
+    Some(zero)
 }
 
 /// A free body made ready for this machine.
@@ -180,8 +244,12 @@ impl Evaluator {
         assert!(Isa::available().contains(&isa), "this machine has no {isa:?}");
         with_lanes!(isa, L => {
             let (values, lanes, duals) = (body.lift(), body.lift(), body.lift());
-            let zeros = body.has_closed_jacobian().then(|| always_zero(body));
-            let kernel = On::<<L as Lane>::Single, L> { values, lanes, duals, zeros };
+            let closed = ClosedJacobian::new(body).map(|form| {
+                let (dense, sparse) = (Layout::dense(&form), Layout::sparse(&form));
+                Closed { form, dense, sparse }
+            });
+            let unforced = unforced(&values, body.input_size());
+            let kernel = On::<<L as Lane>::Single, L> { unforced, values, lanes, duals, closed };
             let compiled = body.compiled.as_ref().map(|[block, _]| block.clone());
             Self { compiled, kernel: Box::new(kernel) }
         })
@@ -210,5 +278,16 @@ impl Evaluator {
     /// (∂f/∂x ∂f/∂u) of each point, by rows of the matrix, each entry of all points together. Konoplev (3.2)
     pub fn jacobians(&self, points: &Points<'_>, out: &mut [f64], threads: usize) {
         self.kernel.jacobians(points, out, threads);
+    }
+
+    /// Rows and columns of the entries of (∂f/∂x ∂f/∂u) that can be other than zero, by rows; none if all can be, for
+    /// all that is known.
+    pub fn jacobian_entries(&self) -> Option<&[(usize, usize)]> {
+        self.kernel.jacobian_entries()
+    }
+
+    /// These entries of each point, each of all points together.
+    pub fn sparse_jacobians(&self, points: &Points<'_>, out: &mut [f64], threads: usize) {
+        self.kernel.sparse_jacobians(points, out, threads);
     }
 }

@@ -5,7 +5,7 @@
 //! Linear part first, always; SI units and radians; quaternions scalar first.
 
 pub mod algebra;
-mod buffer;
+pub mod buffer;
 pub mod bulk;
 pub mod catalog;
 pub mod charts;

@@ -40,21 +40,27 @@ pub fn quasi_coordinate_acceleration<T: Real>(
 /// V* of (1.8), solved by blocks at the mass centre. Konoplev (1.8)
 #[inline(always)]
 pub fn acceleration<T: Real>(body: &Inertia<T>, twist: Screw<T>, wrench: Screw<T>) -> Screw<T> {
-    let (f, m) = (wrench.linear, wrench.angular);
-    acceleration_about_com(body, twist, Screw::new(f, m - body.com.cross(f)))
+    acceleration_about_com(body, twist, wrench.about_point(body.com), Vec3::zero())
 }
 
-/// V* of (1.8) for a wrench about the mass centre: the form that runs. Konoplev (1.8)
+/// V* of (1.8) for a wrench about the mass centre, in a field that accelerates it: the form that runs. Konoplev (1.8)
 ///
-/// ω* = Jc⁻¹(M_c + Jc ω × ω) and v* = f/m + (v + ω × r_c) × ω + r_c × ω*. A weight has no moment about the
-/// mass centre; about the origin its moment would cancel only to the rounding of m g |r_c|.
+/// ω* = Jc⁻¹(M_c + Jc ω × ω) and v* = f/m + g + (v + ω × r_c) × ω + r_c × ω*. The weight m g is no part of the wrench:
+/// it has no moment about the mass centre, and about the origin its moment would cancel only to the rounding of
+/// m g |r_c|.
 #[inline(always)]
-pub fn acceleration_about_com<T: Real>(body: &Inertia<T>, twist: Screw<T>, wrench: Screw<T>) -> Screw<T> {
+pub fn acceleration_about_com<T: Real>(
+    body: &Inertia<T>,
+    twist: Screw<T>,
+    wrench: Screw<T>,
+    field: Vec3<T>,
+) -> Screw<T> {
     let (v, w) = (twist.linear, twist.angular);
     let com_velocity = w.cross_add(body.com, v);
     let moment = body.about_com.apply(w).cross_add(w, wrench.angular);
-    let rate = body.solve_about_com(Screw::new(wrench.linear, moment));
-    Screw::new(com_velocity.cross_add(w, rate.linear), rate.angular)
+    let turn = body.inverse_about_com.apply(moment);
+    let pushed = com_velocity.cross_add(w, wrench.linear.scale(body.inverse_mass)) + field;
+    Screw::new(body.com.cross_add(turn, pushed), turn)
 }
 
 /// The 6×10 matrix Y of ΘV* + ΦΘV = Y(V, V*) θ, by columns; θ are [`Inertia::parameters`].

@@ -33,6 +33,11 @@ impl<T: Real> Screw<T> {
     pub fn at_point(x: Vec3<T>, r: Vec3<T>) -> Self {
         Self::new(x, r.cross(x))
     }
+    /// The same wrench with its moment about the point `r` instead of the origin.
+    #[inline(always)]
+    pub fn about_point(self, r: Vec3<T>) -> Self {
+        Self::new(self.linear, self.linear.cross_add(r, self.angular))
+    }
     /// Six numbers of a slice.
     #[inline(always)]
     pub fn from_slice(s: &[T]) -> Self {

@@ -1,42 +1,64 @@
 //! f(x, u, t), its Jacobians and the wrench at single states.
 
-use crate::arguments::{number, read, write_out};
+use crate::arguments::{Room, all_are_finite, are_finite, matrix, number, read, refusal};
 use crate::model::Model;
+use freebody_core::buffer::Buffer;
 use freebody_core::screw::Screw;
-use numpy::{PyArray1, PyArray2, PyArrayMethods};
+use numpy::PyArray1;
+use pyo3::IntoPyObjectExt;
 use pyo3::prelude::*;
+use std::borrow::Cow;
+use std::cell::RefCell;
 
 type Array1<'py> = Bound<'py, PyArray1<f64>>;
-type Array2<'py> = Bound<'py, PyArray2<f64>>;
 type Given<'a, 'py> = (&'a Bound<'py, PyAny>, &'a Bound<'py, PyAny>, Option<&'a Bound<'py, PyAny>>);
 
-/// So many numbers need no room of their own: two states of a quaternion and six inputs.
-const ON_STACK: usize = 48;
+/// A rate of so many numbers needs no room of its own.
+const ON_STACK: usize = 16;
+/// Inputs that are left out, up to this many without room of their own.
+static ZEROS: [f64; 64] = [0.0; 64];
+
+thread_local! {
+    /// Room for the matrices of a Jacobian, kept for the next one.
+    static MATRICES: RefCell<Vec<f64>> = const { RefCell::new(Vec::new()) };
+}
 
 impl Model {
-    /// Hands on time, state and inputs, zero when none are given, and room for a rate.
+    /// Hands on time, state and inputs, zero when none are given.
+    #[inline]
     fn at<R>(
         &self,
         (t, x, u): Given<'_, '_>,
-        f: impl FnOnce(f64, &[f64], &[f64], &mut [f64]) -> PyResult<R>,
+        f: impl FnOnce(f64, &[f64], &[f64]) -> PyResult<R>,
     ) -> PyResult<R> {
         let t = number("t", t)?;
-        let (mut stack, mut heap) = ([0.0; ON_STACK], Vec::new());
-        let size = 2 * self.states + self.inputs;
-        let all = if size <= ON_STACK {
-            &mut stack[..size]
-        } else {
-            heap.resize(size, 0.0);
-            &mut heap[..]
+        let mut state = read("x", x, self.states)?;
+        let mut input = match u {
+            Some(u) => read("u", u, self.inputs)?,
+            None => ZEROS.get(..self.inputs).map_or_else(|| vec![0.0; self.inputs].into(), Cow::Borrowed),
         };
-        let (state, rest) = all.split_at_mut(self.states);
-        let (input, rate) = rest.split_at_mut(self.inputs);
-        read("x", x, state)?;
-        if let Some(u) = u {
-            read("u", u, input)?;
+        if matches!(input, Cow::Owned(_)) {
+            // Python may have run, and moved what was borrowed.
+            state = read("x", x, self.states)?;
         }
-        f(t, state, input, rate)
+        if self.has_callback() {
+            (state, input) = (state.into_owned().into(), input.into_owned().into());
+        }
+        f(t, &state, &input)
     }
+}
+
+type Matrix<'a> = (&'a [f64], [usize; 2]);
+
+/// Writes two matrices to the pair of arrays that the caller brought.
+fn fill<'py>(out: &Bound<'py, PyAny>, a: Matrix<'_>, b: Matrix<'_>) -> PyResult<Bound<'py, PyAny>> {
+    let Ok((to_a, to_b)) = out.extract::<(Bound<'py, PyAny>, Bound<'py, PyAny>)>() else {
+        return Err(refusal("out", out, None));
+    };
+    let rooms = (Room::of("out[0]", &to_a, &a.1)?, Room::of("out[1]", &to_b, &b.1)?);
+    rooms.0.write(a.0);
+    rooms.1.write(b.0);
+    Ok(out.clone())
 }
 
 #[pymethods]
@@ -68,37 +90,48 @@ impl Model {
         x: &Bound<'py, PyAny>,
         u: Option<&Bound<'py, PyAny>>,
         out: Option<&Bound<'py, PyAny>>,
-    ) -> PyResult<Array1<'py>> {
-        self.at((t, x, u), |t, x, u, rate| {
+    ) -> PyResult<Bound<'py, PyAny>> {
+        self.at((t, x, u), |t, x, u| {
+            let mut room = Buffer::<f64, ON_STACK>::new(self.states);
+            let rate = room.slice();
             self.calling(|| self.evaluator.derivative(t, x, u, rate))?;
-            if !rate.iter().all(|v| v.is_finite()) || self.is_singular(x) {
+            if !are_finite(rate) || self.is_singular(x) {
                 return Err(self.diagnose(py, t, x, u));
             }
-            let Some(out) = out else { return Ok(PyArray1::from_slice(py, rate)) };
-            write_out(out, rate)
+            let Some(out) = out else { return Ok(PyArray1::from_slice(py, rate).into_any()) };
+            Room::of("out", out, &[rate.len()])?.write(rate);
+            Ok(out.clone())
         })
     }
 
     /// The exact Jacobians A = ∂f/∂x, (n_states, n_states), and B = ∂f/∂u, (n_states, n_inputs). Konoplev (3.2).
     ///
-    /// Arguments and errors as of `derivative`.
-    #[pyo3(signature = (t, x, u=None))]
+    /// Arguments and errors as of `derivative`; `out` is the pair of arrays to write A and B to, which is then returned.
+    #[pyo3(signature = (t, x, u=None, out=None))]
     fn jacobian<'py>(
         &self,
         py: Python<'py>,
         t: &Bound<'py, PyAny>,
         x: &Bound<'py, PyAny>,
         u: Option<&Bound<'py, PyAny>>,
-    ) -> PyResult<(Array2<'py>, Array2<'py>)> {
-        self.at((t, x, u), |t, x, u, _| {
-            self.refuse_callbacks(py)?;
-            let (n, m) = (self.states, self.inputs);
-            let (mut a, mut b) = (vec![0.0; n * n], vec![0.0; n * m]);
-            self.evaluator.jacobian(t, x, u, &mut a, &mut b);
-            if !a.iter().chain(&b).all(|v| v.is_finite()) || self.is_singular(x) {
+        out: Option<&Bound<'py, PyAny>>,
+    ) -> PyResult<Bound<'py, PyAny>> {
+        self.refuse_callbacks(py)?;
+        let (n, m) = (self.states, self.inputs);
+        self.at((t, x, u), |t, x, u| {
+            let mut all = MATRICES.take();
+            all.resize(n * (n + m), 0.0);
+            let (a, b) = all.split_at_mut(n * n);
+            self.evaluator.jacobian(t, x, u, a, b);
+            if !(all_are_finite(a) && all_are_finite(b)) || self.is_singular(x) {
                 return Err(self.diagnose(py, t, x, u));
             }
-            Ok((PyArray1::from_vec(py, a).reshape([n, n])?, PyArray1::from_vec(py, b).reshape([n, m])?))
+            let result = match out {
+                Some(out) => fill(out, (a, [n, n]), (b, [n, m]))?,
+                None => (matrix(py, a, [n, n])?, matrix(py, b, [n, m])?).into_bound_py_any(py)?,
+            };
+            MATRICES.set(all);
+            Ok(result)
         })
     }
 
@@ -113,7 +146,7 @@ impl Model {
         x: &Bound<'py, PyAny>,
         u: Option<&Bound<'py, PyAny>>,
     ) -> PyResult<Array1<'py>> {
-        self.at((t, x, u), |t, x, u, _| {
+        self.at((t, x, u), |t, x, u| {
             let wrenches = self.calling(|| self.free_body.wrenches(t, x, u))?;
             let sum = wrenches.into_iter().fold(Screw::zero(), |a, b| a + b);
             let mut six = [0.0; 6];

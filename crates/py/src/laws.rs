@@ -120,25 +120,20 @@ pub fn raising<R>(f: impl FnOnce() -> R) -> PyResult<R> {
 }
 
 impl Model {
-    /// The name of a force that is a callback.
-    fn callback(&self) -> Option<&str> {
-        let place = self.free_body.forces.iter().position(|f| matches!(f, Element::Callback(_)))?;
-        Some(&self.law_names[place])
-    }
-
     /// Whether Python computes a force.
     pub fn has_callback(&self) -> bool {
-        self.callback().is_some()
+        self.callback.is_some()
     }
 
     /// Runs what may call callbacks.
     pub fn calling<R>(&self, f: impl FnOnce() -> R) -> PyResult<R> {
-        if self.callback().is_some() { raising(f) } else { Ok(f()) }
+        if self.has_callback() { raising(f) } else { Ok(f()) }
     }
 
     /// Refuses a Jacobian of what has none.
     pub fn refuse_callbacks(&self, py: Python<'_>) -> PyResult<()> {
-        let Some(name) = self.callback() else { return Ok(()) };
+        let Some(place) = self.callback else { return Ok(()) };
+        let name = &self.law_names[place];
         let message = format!(
             "force '{name}' is a callback: a Python function that is called with numbers has no exact derivative; \
              trace it with @fb.force"

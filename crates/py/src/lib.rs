@@ -38,6 +38,8 @@ fn _core(m: &Bound<'_, PyModule>) -> PyResult<()> {
     m.add_class::<tables::Table>()?;
     m.add_class::<tables::Grid>()?;
     m.add_class::<tables::Lattice>()?;
+    m.add_function(wrap_pyfunction!(arguments::frozen, m)?)?;
+    m.add_function(wrap_pyfunction!(arguments::rising, m)?)?;
     m.add_function(wrap_pyfunction!(forms::form, m)?)?;
     m.add_function(wrap_pyfunction!(simulate::simulate, m)?)?;
     m.add_function(wrap_pyfunction!(ensemble::run_ensemble, m)?)?;

@@ -24,6 +24,8 @@ pub struct Model {
     pub law_names: Vec<String>,
     pub states: usize,
     pub inputs: usize,
+    /// The place of a force that Python computes.
+    pub callback: Option<usize>,
 }
 
 type Array1<'py> = Bound<'py, PyArray1<f64>>;
@@ -84,7 +86,8 @@ impl Model {
         let free_body = unjoined.made_ready();
         let evaluator = Evaluator::new(&free_body);
         let states = Dynamics::<f64>::state_size(&free_body);
-        Ok(Self { free_body, evaluator, law_names, states, inputs: n_inputs })
+        let callback = free_body.forces.iter().position(|f| matches!(f, Element::Callback(_)));
+        Ok(Self { free_body, evaluator, law_names, states, inputs: n_inputs, callback })
     }
 
     /// How many numbers a state has.

@@ -1,5 +1,6 @@
 //! `simulate`: one run, with the interpreter free while it goes.
 
+use crate::arguments::{copied, matrix, read};
 use crate::forces::tables;
 use crate::model::Model;
 use crate::watch::{EventArguments, OutputArguments, watched};
@@ -7,27 +8,54 @@ use freebody_core::integrators::Tolerance;
 use freebody_core::simulate::{Ending, Inputs, MethodName, Run, Task, simulate as run};
 use numpy::{PyArray1, PyArray2, PyArrayMethods, PyReadonlyArray1, PyReadonlyArray2};
 use pyo3::prelude::*;
+use pyo3::types::PyString;
+use std::mem::take;
+use std::time::Instant;
 
 type Array1<'py> = Bound<'py, PyArray1<f64>>;
 type Array2<'py> = Bound<'py, PyArray2<f64>>;
 
+type Samples = (Py<PyArray1<f64>>, Py<PyArray2<f64>>, u64, u64, u64, f64);
+
 /// What came of a run.
 #[pyclass(frozen, module = "freebody._core")]
-pub struct RunResult(Run);
+pub struct RunResult {
+    /// Without its samples.
+    run: Run,
+    t: Py<PyArray1<f64>>,
+    x: Py<PyArray2<f64>>,
+    /// To which a table adds.
+    inputs: Vec<f64>,
+    wall_time: f64,
+}
+
+impl RunResult {
+    fn new(py: Python<'_>, mut run: Run, inputs: Vec<f64>, wall_time: f64) -> PyResult<Self> {
+        let (times, states) = (take(&mut run.times), take(&mut run.states));
+        let t = PyArray1::from_slice(py, &times).unbind();
+        let x = matrix(py, &states, [times.len(), run.end_state.len()])?.unbind();
+        Ok(Self { run, t, x, inputs, wall_time })
+    }
+}
 
 #[pymethods]
 impl RunResult {
-    /// Times (n,) and states (n, n_states) of the samples.
-    fn samples<'py>(&self, py: Python<'py>) -> PyResult<(Array1<'py>, Array2<'py>)> {
-        let n = self.0.times.len();
-        let states = PyArray1::from_slice(py, &self.0.states);
-        Ok((PyArray1::from_slice(py, &self.0.times), states.reshape([n, self.0.end_state.len()])?))
+    /// Times (n,) and states (n, n_states) of the samples; accepted steps, rejected steps, evaluations; wall time, s.
+    fn samples(&self, py: Python<'_>) -> Samples {
+        let Run { steps, rejected, evaluations, .. } = self.run;
+        (self.t.clone_ref(py), self.x.clone_ref(py), steps, rejected, evaluations, self.wall_time)
+    }
+
+    /// The constant part of the inputs, (n_inputs,).
+    #[getter]
+    fn inputs<'py>(&self, py: Python<'py>) -> Array1<'py> {
+        PyArray1::from_slice(py, &self.inputs)
     }
 
     /// One word for how the run ended.
     #[getter]
     fn status(&self) -> &'static str {
-        match self.0.ending {
+        match self.run.ending {
             Ending::ReachedEnd => "reached_end",
             Ending::Event(_) => "event",
             Ending::StepTooSmall => "step_too_small",
@@ -41,49 +69,43 @@ impl RunResult {
     /// Place of the force that was not finite; one place behind them all stands the control law.
     #[getter]
     fn force(&self) -> Option<usize> {
-        if let Ending::NonFinite { force } = self.0.ending { force } else { None }
+        if let Ending::NonFinite { force } = self.run.ending { force } else { None }
     }
 
     /// Place of the event that ended the run.
     #[getter]
     fn event(&self) -> Option<usize> {
-        if let Ending::Event(event) = self.0.ending { Some(event) } else { None }
+        if let Ending::Event(event) = self.run.ending { Some(event) } else { None }
     }
 
     /// Places, times (n,) and states (n, n_states) of the events.
     fn occurrences<'py>(&self, py: Python<'py>) -> PyResult<(Vec<usize>, Array1<'py>, Array2<'py>)> {
-        let all = &self.0.occurrences;
+        let all = &self.run.occurrences;
         let times: Vec<f64> = all.iter().map(|o| o.time).collect();
         let states: Vec<f64> = all.iter().flat_map(|o| o.state.iter().copied()).collect();
-        let states = PyArray1::from_vec(py, states).reshape([all.len(), self.0.end_state.len()])?;
+        let states = PyArray1::from_vec(py, states).reshape([all.len(), self.run.end_state.len()])?;
         Ok((all.iter().map(|o| o.event).collect(), PyArray1::from_vec(py, times), states))
     }
 
     #[getter]
     fn outputs(&self) -> Vec<f64> {
-        self.0.outputs.clone()
+        self.run.outputs.clone()
     }
 
     #[getter]
     fn end_time(&self) -> f64 {
-        self.0.end_time
+        self.run.end_time
     }
 
     #[getter]
     fn end_state<'py>(&self, py: Python<'py>) -> Bound<'py, PyArray1<f64>> {
-        PyArray1::from_slice(py, &self.0.end_state)
+        PyArray1::from_slice(py, &self.run.end_state)
     }
 
     /// Time, whether the chart was left, and the distance to its singularity, of each change.
     #[getter]
     fn chart_changes(&self) -> Vec<(f64, bool, f64)> {
-        self.0.chart_changes.iter().map(|c| (c.time, c.left, c.distance)).collect()
-    }
-
-    /// Accepted steps, rejected steps, evaluations.
-    #[getter]
-    fn counts(&self) -> (u64, u64, u64) {
-        (self.0.steps, self.0.rejected, self.0.evaluations)
+        self.run.chart_changes.iter().map(|c| (c.time, c.left, c.distance)).collect()
     }
 }
 
@@ -113,51 +135,55 @@ pub fn method_name(name: &str) -> MethodName {
     }
 }
 
-/// Simulates; arguments are checked by `freebody.simulation`.
+/// `freebody.simulation.Settings`: span, method, tolerance, step, times of samples, most steps.
+type Settings<'py> =
+    ((f64, f64), Bound<'py, PyString>, (f64, f64), Option<f64>, Option<Bound<'py, PyAny>>, u64);
+
+/// Simulates; what is no start and no settings is checked by `freebody.simulation`.
 #[pyfunction]
-#[pyo3(signature = (model, x0, span, *, constant, table, save_at, method, tolerance, step, max_steps, progress,
-                    events, outputs))]
+#[pyo3(signature = (model, x0, settings, constant, table, progress, events, outputs))]
 pub fn simulate(
-    py: Python<'_>,
     model: &Bound<'_, Model>,
-    x0: PyReadonlyArray1<'_, f64>,
-    span: [f64; 2],
-    constant: PyReadonlyArray1<'_, f64>,
+    x0: &Bound<'_, PyAny>,
+    settings: Settings<'_>,
+    constant: Option<&Bound<'_, PyAny>>,
     table: Option<(PyReadonlyArray1<'_, f64>, PyReadonlyArray2<'_, f64>, bool)>,
-    save_at: Option<PyReadonlyArray1<'_, f64>>,
-    method: &str,
-    tolerance: [f64; 2],
-    step: Option<f64>,
-    max_steps: u64,
     progress: Option<Py<PyAny>>,
     events: Vec<EventArguments>,
     outputs: Vec<OutputArguments>,
 ) -> PyResult<RunResult> {
-    let watched = watched(py, events, outputs)?;
-    let inputs = inputs(py, constant.as_slice()?.to_vec(), table)?;
-    let save_at = save_at.as_ref().map(|times| times.as_slice()).transpose()?;
-    let model = model.get();
-    if method == "rodas5p" {
+    let (py, model) = (model.py(), model.get());
+    let ((t0, t1), method, (relative, absolute), step, times, max_steps) = settings;
+    let start = read("x0", x0, model.states)?.into_owned();
+    let constants = match constant {
+        Some(constant) => read("inputs", constant, model.inputs)?.into_owned(),
+        None => vec![0.0; model.inputs],
+    };
+    let method = method_name(method.to_str()?);
+    if method == MethodName::Rodas {
         model.refuse_callbacks(py)?;
     }
+    let save_at = times.as_ref().map(copied).transpose()?;
+    let inputs = inputs(py, constants, table)?;
+    let watched = watched(py, events, outputs)?;
     let task = Task {
-        x0: x0.as_slice()?,
-        span,
+        x0: &start,
+        span: [t0, t1],
         inputs: &inputs,
-        save_at,
-        method: method_name(method),
-        tolerance: Tolerance { relative: tolerance[0], absolute: tolerance[1] },
+        save_at: save_at.as_deref(),
+        method,
+        tolerance: Tolerance { relative, absolute },
         step,
         max_steps,
         watched: Some(&watched),
     };
     let mut failed = None;
-    let result = py.detach(|| {
+    let began = Instant::now();
+    let run = py.detach(|| {
         let mut report = |t: f64| {
             Python::attach(|py| {
-                let fraction = (t - span[0]) / (span[1] - span[0]);
                 let told = match &progress {
-                    Some(f) => f.call1(py, (fraction,)).map(drop),
+                    Some(f) => f.call1(py, ((t - t0) / (t1 - t0),)).map(drop),
                     None => Ok(()),
                 };
                 match told.and_then(|()| py.check_signals()) {
@@ -171,8 +197,9 @@ pub fn simulate(
         };
         model.calling(|| run(&model.free_body, &task, &mut report))
     })?;
+    let wall_time = began.elapsed().as_secs_f64();
     match failed {
         Some(error) => Err(error),
-        None => Ok(RunResult(result)),
+        None => Ok(RunResult::new(py, run, inputs.constants, wall_time)?),
     }
 }

@@ -7,7 +7,7 @@ from freebody.simulation.simulate import simulate
 from freebody.simulation.staged import Separation, StagedTrajectory, stages_of
 from freebody.simulation.stages import Stage, simulate_stages
 from freebody.simulation.trajectory import Trajectory
-from freebody.simulation.watching import Occurrence, Watched, watched
+from freebody.simulation.watching import Occurrence, Watched, notices_of, watched
 
 __all__ = [
     "GOOD_ENDS",
@@ -26,6 +26,7 @@ __all__ = [
     "Trajectory",
     "Watched",
     "checked_settings",
+    "notices_of",
     "simulate",
     "simulate_stages",
     "stages_of",

@@ -47,12 +47,16 @@ class InputTable:
         part = np.maximum(part, 0.0)[:, None]
         return self.values[before] + part * (self.values[after] - self.values[before])
 
+    def check_width(self, n: int) -> None:
+        """Check that a model with n inputs can read the table."""
+        if self.values.shape[1] != n:
+            raise InputError(f"inputs: the table has {self.values.shape[1]} columns; the model has {n}")
+
 
 def checked_inputs(inputs: ArrayLike | InputTable | None, n: int) -> tuple[Array, InputTable | None]:
     """Constant inputs (n,), zero when none are given, and the table where one was."""
     if isinstance(inputs, InputTable):
-        if inputs.values.shape[1] != n:
-            raise InputError(f"inputs: the table has {inputs.values.shape[1]} columns; the model has {n}")
+        inputs.check_width(n)
         return np.zeros(n), inputs
     return np.zeros(n) if inputs is None else _check.vector("inputs", inputs, n), None
 

@@ -3,14 +3,13 @@
 from __future__ import annotations
 
 import sys
-from dataclasses import dataclass
-from math import isfinite
-from typing import Literal, get_args
+from math import inf, isfinite
+from typing import Literal, NamedTuple, get_args
 
 import numpy as np
 from numpy.typing import ArrayLike
 
-from freebody import _check
+from freebody import _check, _core
 from freebody._check import Array
 from freebody.errors import InputError
 
@@ -22,11 +21,11 @@ FIXED_STEP = ("rk4", "gauss6")
 
 # Below this no step can be judged by its error in double precision.
 _LEAST_RTOL = 1e-14
+_LEAST_ATOL = sys.float_info.min
 
 
-@dataclass(frozen=True, eq=False)
-class Settings:
-    """How runs are integrated, checked.
+class Settings(NamedTuple):
+    """How runs are integrated, checked; as the core takes it.
 
     Attributes
     ----------
@@ -69,32 +68,38 @@ def checked_settings(
     if step is None and method in FIXED_STEP:
         raise InputError(f"step: {method} has a fixed step; give its size in s")
     first = None if step is None else _check.number("step", step, positive=True)
-    return Settings(
-        span, method, tolerance, first, _sample_times(span, *save), _check.count("max_steps", max_steps)
-    )
+    every, at = save
+    times = _sample_times(span, every, at)
+    return Settings(span, method, tolerance, first, times, _check.count("max_steps", max_steps))
 
 
 def _span(t_span: tuple[float, float]) -> tuple[float, float]:
-    if type(t_span) is tuple and len(t_span) == 2 and all(type(t) is float and isfinite(t) for t in t_span):
+    if type(t_span) is tuple and len(t_span) == 2:  # the usual case, without the questions of the others
         t0, t1 = t_span
-    else:
-        t0, t1 = _check.vector("t_span", t_span, 2).tolist()
+        if type(t0) is float and type(t1) is float and t0 < t1 and isfinite(t1 - t0):
+            return t_span
+    t0, t1 = _check.vector("t_span", t_span, 2).tolist()
     if not t1 > t0:
         raise InputError(f"t_span: got ({t0}, {t1}) s; the end must lie after the start")
-    if t1 - t0 == float("inf"):
+    if t1 - t0 == inf:
         raise InputError(f"t_span: got ({t0}, {t1}) s; the time between them is too long for doubles")
     return t0, t1
 
 
 def _tolerance(rtol: float, atol: float | None) -> tuple[float, float]:
-    relative = _check.number("rtol", rtol, positive=True)
-    if not _LEAST_RTOL <= relative < 1.0:
-        raise InputError(f"rtol: got {rtol}; allowed is from {_LEAST_RTOL} to below 1")
+    if type(rtol) is float and _LEAST_RTOL <= rtol < 1.0:
+        relative = rtol
+    else:
+        relative = _check.number("rtol", rtol, positive=True)
+        if not _LEAST_RTOL <= relative < 1.0:
+            raise InputError(f"rtol: got {rtol}; allowed is from {_LEAST_RTOL} to below 1")
+    if type(atol) is float and _LEAST_ATOL <= atol < inf:
+        return relative, atol
     # The floor for vectors near zero: far below anything that a vector of the motion is, yet not zero.
     absolute = 1e-3 * relative if atol is None else _check.number("atol", atol)
     if absolute < 0.0:
         raise InputError(f"atol: got {atol}; allowed is 0 or more")
-    return relative, max(absolute, sys.float_info.min)
+    return relative, max(absolute, _LEAST_ATOL)
 
 
 def _sample_times(
@@ -118,7 +123,9 @@ def _sample_times(
         return times
     if save_at is None:
         return None
-    times = _check.series("save_at", save_at)
-    if times[0] < t0 or times[-1] > t1 or not (times[1:] > times[:-1]).all():
+    times = _core.rising(save_at, t0, t1)
+    if times is None:
+        times = _core.rising(_check.series("save_at", save_at), t0, t1)
+    if times is None:
         raise InputError(f"save_at: the times must rise and lie within the span, {t0} to {t1} s")
     return times

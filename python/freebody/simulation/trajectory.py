@@ -9,12 +9,13 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import ArrayLike
 
-from freebody import _check, forms
+from freebody import _check, _core, forms
 from freebody._check import Array
 from freebody.errors import InputError
 from freebody.simulation.conservation import conserved
+from freebody.simulation.ending import chart_changes_of, outcome_of
 from freebody.simulation.outcome import ChartChange, Conserved, Outcome
-from freebody.simulation.watching import Occurrence
+from freebody.simulation.watching import Occurrence, Watched
 
 if TYPE_CHECKING:
     import xarray
@@ -31,17 +32,8 @@ class Trajectory:
     ----------
     model
         What was simulated.
-    t, x, u
-        Times (n,) s, states (n, n_states) and inputs (n, n_inputs), as `model.state_names` and so on name
-        them.
-    outcome
-        How the run ended.
-    chart_changes
-        When a run in angles went on in another chart, and when it came back.
-    events
-        The events that came to pass, in the order of their times.
-    outputs, output_units
-        The outputs and their units by name.
+    t, x
+        Times (n,) s and states (n, n_states), as `model.state_names` names them.
     steps, rejected_steps, evaluations
         What the integration took.
     wall_time
@@ -51,21 +43,46 @@ class Trajectory:
     def __init__(
         self,
         model: Model,
-        samples: tuple[Array, Array, Array],
-        outcome: Outcome,
-        chart_changes: tuple[ChartChange, ...],
-        counts: tuple[int, int, int],
-        wall_time: float,
-        events: tuple[Occurrence, ...] = (),
-        outputs: tuple[Mapping[str, float], Mapping[str, str]] = ({}, {}),
+        result: _core.RunResult,
+        span: tuple[float, float],
+        watch: Watched,
+        at_start: list[float],
     ) -> None:
         self.model = model
-        self.t, self.x, self.u = samples
-        self.outcome, self.chart_changes = outcome, chart_changes
-        self.steps, self.rejected_steps, self.evaluations = counts
-        self.wall_time = wall_time
-        self.events = events
-        self.outputs, self.output_units = outputs
+        self.t, self.x, self.steps, self.rejected_steps, self.evaluations, self.wall_time = result.samples()
+        self._told = result, span, watch, at_start
+
+    @cached_property
+    def u(self) -> Array:
+        """Inputs at the samples, (n, n_inputs), as `model.input_names` names them."""
+        return np.repeat(self._told[0].inputs[None], len(self), axis=0)
+
+    @cached_property
+    def outcome(self) -> Outcome:
+        """How the run ended."""
+        return outcome_of(self.model, *self._told)
+
+    @cached_property
+    def chart_changes(self) -> tuple[ChartChange, ...]:
+        """When a run in angles went on in another chart, and when it came back."""
+        return chart_changes_of(self.model, self._told[0])
+
+    @cached_property
+    def events(self) -> tuple[Occurrence, ...]:
+        """The events that came to pass, in the order of their times."""
+        result, _, watch, _ = self._told
+        return watch.occurrences(result)
+
+    @cached_property
+    def outputs(self) -> Mapping[str, float]:
+        """The outputs by name."""
+        result, _, watch, _ = self._told
+        return watch.values(result)
+
+    @cached_property
+    def output_units(self) -> Mapping[str, str]:
+        """Units of the outputs by name."""
+        return self._told[2].output_units
 
     @property
     def ok(self) -> bool:
@@ -232,6 +249,12 @@ class Trajectory:
 
     def _to_world(self, vectors: Array) -> Array:
         return np.einsum("nij,nj->ni", self.world_from_body, vectors)
+
+    def __getstate__(self) -> dict[str, object]:
+        # What the core keeps of the run stays in this process: it is read first.
+        for name in ("u", "outcome", "chart_changes", "events", "outputs", "output_units"):
+            getattr(self, name)
+        return {name: value for name, value in vars(self).items() if name != "_told"}
 
     def __len__(self) -> int:
         return len(self.t)

@@ -8,7 +8,9 @@ from typing import TYPE_CHECKING, NamedTuple, TypeAlias, TypeVar
 
 from freebody import _check, _core
 from freebody._check import Array
+from freebody.environment import Environment
 from freebody.errors import InputError
+from freebody.interfaces import Force
 from freebody.signals import Source, input_places
 from freebody.simulation.outcome import Notice
 from freebody.tracing import EventLaw, NoticeLaw, OutputLaw
@@ -16,7 +18,7 @@ from freebody.tracing import EventLaw, NoticeLaw, OutputLaw
 if TYPE_CHECKING:
     from freebody.model import Model
 
-__all__ = ["Occurrence", "Watched", "watched"]
+__all__ = ["Occurrence", "Watched", "notices_of", "watched"]
 
 CoreEvent: TypeAlias = tuple[_core.Program, list[float], list[int], str, bool]
 CoreOutput: TypeAlias = tuple[_core.Program, list[float], list[int], str]
@@ -83,11 +85,17 @@ class Watched(NamedTuple):
                 found.append(Notice(float(time), name, _message(law)))
         return tuple(found)
 
-    def values(self, result: _core.RunResult) -> tuple[dict[str, float], dict[str, str]]:
-        """The outputs of a run and their units, by name."""
-        names = [law.name for law in self.outputs]
-        units = [law.unit for law in self.outputs]
-        return dict(zip(names, result.outputs, strict=True)), dict(zip(names, units, strict=True))
+    def values(self, result: _core.RunResult) -> dict[str, float]:
+        """The outputs of a run by name."""
+        return dict(zip((law.name for law in self.outputs), result.outputs, strict=True))
+
+    @property
+    def output_units(self) -> dict[str, str]:
+        """Of the outputs, by name."""
+        return {law.name: law.unit for law in self.outputs}
+
+
+_NOTHING = Watched((), (), [], [], (), [])
 
 
 def watched(model: Model, events: Iterable[EventLaw], outputs: Iterable[OutputLaw]) -> Watched:
@@ -95,9 +103,9 @@ def watched(model: Model, events: Iterable[EventLaw], outputs: Iterable[OutputLa
 
     Raises `InputError` for what is none, for a name that stands twice and for inputs that the model has not.
     """
-    notices = notices_of(model)
+    notices = model.notices
     if events == () and outputs == () and not notices:
-        return Watched((), (), [], [], (), [])
+        return _NOTHING
     known = model.sources
     event_laws = _checked("events", events, EventLaw)
     output_laws = _checked("outputs", outputs, OutputLaw)
@@ -115,13 +123,13 @@ def watched(model: Model, events: Iterable[EventLaw], outputs: Iterable[OutputLa
     )
 
 
-def notices_of(model: Model) -> tuple[tuple[str, EventLaw], ...]:
+def notices_of(forces: Iterable[Force], environment: Environment | None) -> tuple[tuple[str, EventLaw], ...]:
     """The notices of a model's forces and surroundings, each once, with the name of who says it."""
     found: dict[EventLaw, str] = {}
-    for force in model.forces:
+    for force in forces:
         for law in force.notices:
             found.setdefault(law, force.name)
-    for law in () if model.environment is None else model.environment.notices:
+    for law in () if environment is None else environment.notices:
         found.setdefault(law, "environment")
     return tuple((name, law) for law, name in found.items())
 

@@ -20,12 +20,15 @@ pub fn elementary<T: Real>(i: usize, a: T) -> Mat3<T> {
 pub fn rotation_from_quaternion<T: Real>(q: [T; 4]) -> Mat3<T> {
     let [w, x, y, z] = q;
     let (x2, y2, z2) = (x + x, y + y, z + z);
+    // As few products as there are: sums have units of their own in a processor.
     let (wx, wy, wz) = (w * x2, w * y2, w * z2);
+    let (xx, yy, zz) = (x * x2, y * y2, z * z2);
+    let (xy, xz, yz) = (x * y2, x * z2, y * z2);
     let one = T::one();
     Mat3::from_rows(
-        Vec3::new((-y).fma(y2, (-z).fma(z2, one)), x.fma(y2, -wz), x.fma(z2, wy)),
-        Vec3::new(x.fma(y2, wz), (-x).fma(x2, (-z).fma(z2, one)), y.fma(z2, -wx)),
-        Vec3::new(x.fma(z2, -wy), y.fma(z2, wx), (-x).fma(x2, (-y).fma(y2, one))),
+        Vec3::new(one - (yy + zz), xy - wz, xz + wy),
+        Vec3::new(xy + wz, one - (xx + zz), yz - wx),
+        Vec3::new(xz - wy, yz + wx, one - (xx + yy)),
     )
 }
 

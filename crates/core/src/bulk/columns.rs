@@ -1,11 +1,15 @@
 //! Arrays by component, cut into pieces for threads and read in lanes.
 
 use super::Points;
+use crate::buffer::Buffer;
 use crate::scalar::Lane;
 use std::ops::Range;
 
 /// Pieces are multiples of this: whole cache lines in every lane type.
 const GRAIN: usize = 64;
+
+/// Up to this many inputs are read to the stack.
+const ON_STACK: usize = 16;
 
 /// Cuts `count` columns among threads.
 pub fn pieces(count: usize, threads: usize) -> Vec<Range<usize>> {
@@ -13,15 +17,18 @@ pub fn pieces(count: usize, threads: usize) -> Vec<Range<usize>> {
     (0..count).step_by(size).map(|first| first..count.min(first + size)).collect()
 }
 
-/// Does the work of each piece of the columns of `out` on a thread of its own.
+/// Does the work of each piece of the columns of `out` on a thread of its own: it is given the rows of that piece.
 pub fn share(
     out: &mut [f64],
     count: usize,
     threads: usize,
-    work: impl Fn(Range<usize>, &mut [&mut [f64]]) + Sync,
+    work: impl Fn(Range<usize>, Vec<&mut [f64]>) + Sync,
 ) {
     if count == 0 {
         return;
+    }
+    if threads < 2 || count <= GRAIN {
+        return work(0..count, out.chunks_exact_mut(count).collect());
     }
     let pieces = pieces(count, threads);
     let mut parts: Vec<Vec<&mut [f64]>> = pieces.iter().map(|_| Vec::new()).collect();
@@ -32,13 +39,10 @@ pub fn share(
             row = rest;
         }
     }
-    if let [part] = &mut parts[..] {
-        return work(0..count, part);
-    }
     rayon::in_place_scope(|scope| {
-        for (piece, mut part) in pieces.into_iter().zip(parts) {
+        for (piece, part) in pieces.into_iter().zip(parts) {
             let work = &work;
-            scope.spawn(move |_| work(piece, &mut part));
+            scope.spawn(move |_| work(piece, part));
         }
     });
 }
@@ -70,43 +74,61 @@ pub fn write<T: Lane>(x: T, out: &mut [f64]) {
     }
 }
 
-/// The points in the lanes.
-pub struct Lanes<'a, T> {
+/// Time and inputs in the lanes.
+pub struct Controls<'a, T> {
     points: &'a Points<'a>,
-    /// Whether time and inputs are the same for all, and so read once.
+    /// Whether they are the same for all, and so read once.
     same: bool,
     pub t: T,
+    pub u: Buffer<T, ON_STACK>,
+}
+
+impl<'a, T: Lane> Controls<'a, T> {
+    #[inline(always)]
+    pub fn new(points: &'a Points<'a>) -> Self {
+        let same = points.t.len() == 1 && points.u.len() == points.inputs;
+        let mut made = Self { points, same, t: T::zero(), u: Buffer::new(points.inputs) };
+        made.read_all(0, 1);
+        made
+    }
+
+    /// Reads those of the points from `first` on, `room` of them.
+    #[inline(always)]
+    pub fn read(&mut self, first: usize, room: usize) {
+        if !self.same {
+            self.read_all(first, room);
+        }
+    }
+
+    #[inline(always)]
+    fn read_all(&mut self, first: usize, room: usize) {
+        self.t = read(self.points.t, first, room);
+        let width = self.points.u.len() / self.points.inputs.max(1);
+        for (u, row) in self.u.slice().iter_mut().zip(self.points.u.chunks_exact(width.max(1))) {
+            *u = read(row, first, room);
+        }
+    }
+}
+
+/// The points in the lanes.
+pub struct Lanes<'a, T> {
+    pub controls: Controls<'a, T>,
     pub x: Vec<T>,
-    pub u: Vec<T>,
 }
 
 impl<'a, T: Lane> Lanes<'a, T> {
     #[inline(always)]
     pub fn new(points: &'a Points<'a>, states: usize) -> Self {
-        let (x, u) = (vec![T::zero(); states], vec![T::zero(); points.inputs]);
-        let same = points.t.len() == 1 && points.u.len() == points.inputs;
-        let mut made = Self { points, same, t: T::zero(), x, u };
-        made.read_controls(0, 1);
-        made
+        Self { controls: Controls::new(points), x: vec![T::zero(); states] }
     }
 
     /// Reads the points from `first` on, `room` of them.
     #[inline(always)]
     pub fn read(&mut self, first: usize, room: usize) {
-        for (x, row) in self.x.iter_mut().zip(self.points.x.chunks_exact(self.points.count)) {
+        let points = self.controls.points;
+        for (x, row) in self.x.iter_mut().zip(points.x.chunks_exact(points.count)) {
             *x = if room == T::N { T::load(&row[first..]) } else { read(row, first, room) };
         }
-        if !self.same {
-            self.read_controls(first, room);
-        }
-    }
-
-    #[inline(always)]
-    fn read_controls(&mut self, first: usize, room: usize) {
-        self.t = read(self.points.t, first, room);
-        let width = self.points.u.len() / self.u.len().max(1);
-        for (u, row) in self.u.iter_mut().zip(self.points.u.chunks_exact(width.max(1))) {
-            *u = read(row, first, room);
-        }
+        self.controls.read(first, room);
     }
 }

@@ -3,12 +3,15 @@
 //! Arrays are kept by component: all states' first numbers, then all second ones. Nothing is checked: where f does
 //! not exist the results are not finite.
 
+mod blocks;
 mod columns;
 mod derivatives;
 mod jacobians;
+mod layout;
 
 pub(crate) use derivatives::derivatives;
-pub(crate) use jacobians::{always_zero, closed_jacobians, dual_jacobians};
+pub(crate) use jacobians::{closed_jacobians, dual_jacobians};
+pub(crate) use layout::Layout;
 
 /// States to be evaluated.
 #[derive(Clone, Copy, Debug)]

@@ -30,6 +30,8 @@ pub struct Worker<'a, T, M> {
     watcher: Watcher<T>,
     samples: Samples<T>,
     rows: Rows,
+    /// The states that the lanes started from.
+    starts: Vec<T>,
     /// Room for a state as it runs, as the model has it, and for parameters.
     running: Vec<f64>,
     asked: Vec<f64>,
@@ -54,6 +56,7 @@ impl<'a, T: Lane, M: Method> Worker<'a, T, M> {
                 watcher: Watcher::new(batch.watched).keeping_first(),
                 samples: Samples::new(setup),
                 rows: Rows::default(),
+                starts: Vec::new(),
                 running: Vec::new(),
                 asked: Vec::new(),
                 parameters: Vec::new(),
@@ -81,7 +84,7 @@ impl<'a, T: Lane, M: Method> Worker<'a, T, M> {
     /// Gives free lanes the next runs.
     fn fill(&mut self, free: Lanes) {
         let mut filled = Lanes::NONE;
-        let mut y = self.stepper.y().to_vec();
+        let mut y = std::mem::take(&mut self.starts);
         y.resize(self.motion.size(), T::call(T::zero));
         for l in free.iter() {
             self.busy = self.busy.without(Lanes::one(l));
@@ -108,11 +111,10 @@ impl<'a, T: Lane, M: Method> Worker<'a, T, M> {
             self.samples.start(self.setup, l, x);
         }
         if filled.is_empty() {
+            self.starts = y;
             return;
         }
-        if !self.setup.batch.places.is_empty() {
-            self.motion.renew();
-        }
+        self.motion.renew();
         self.busy = self.busy.with(filled);
         let [t0, t1] = self.setup.batch.span;
         T::call(
@@ -123,6 +125,7 @@ impl<'a, T: Lane, M: Method> Worker<'a, T, M> {
                 self.watcher.start(filled, &self.motion, t0, &y);
             },
         );
+        self.starts = y;
     }
 
     /// One trial step in all lanes; the lanes that are free afterwards.

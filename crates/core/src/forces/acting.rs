@@ -22,7 +22,7 @@ impl Acting<f64> {
         let laws: Vec<_> =
             forces.iter().filter_map(|f| if let Force::Traced(law) = f { Some(law) } else { None }).collect();
         let law = Traced::<f64>::joined(&laws);
-        let (mut usual, mut others) = (Usual::default(), Vec::new());
+        let (mut usual, mut others) = (Usual::<f64>::default(), Vec::new());
         for force in forces {
             let joined = law.is_some() && matches!(force, Force::Traced(_));
             // The usual ones act at arms that do not change.
@@ -35,8 +35,15 @@ impl Acting<f64> {
     }
 }
 
+impl Acting<f64> {
+    /// Whether one of them depends on the position.
+    pub fn reads_position(&self) -> bool {
+        self.others.iter().any(Force::reads_position) || self.law.as_ref().is_some_and(Traced::reads_position)
+    }
+}
+
 impl<T: Real> Acting<T> {
-    /// The sum of all wrenches but that of the law, in body axes about the mass centre.
+    /// The sum of all wrenches but that of the law and the usual weight, in body axes about the mass centre.
     #[inline(always)]
     pub fn about_com(&self, s: &Situation<'_, T>, rates: &mut [T]) -> Screw<T> {
         let sum = self.usual.about_com(s);

@@ -22,14 +22,17 @@ impl<T: Real> InputWrench<T> {
         std::array::from_fn(|k| first + k)
     }
 
+    /// Its six inputs.
+    #[inline(always)]
+    pub(super) fn read(&self, inputs: &[T]) -> Screw<T> {
+        let [i, j, k, l, m, n] = self.places;
+        Screw::new(Vec3::new(inputs[i], inputs[j], inputs[k]), Vec3::new(inputs[l], inputs[m], inputs[n]))
+    }
+
     /// The wrench about the mass centre.
     #[inline(always)]
     pub fn about_com(&self, s: &Situation<'_, T>) -> Screw<T> {
-        let mut six = [T::zero(); 6];
-        for (x, place) in six.iter_mut().zip(self.places) {
-            *x = s.inputs[place];
-        }
-        self.axes.about_com(Screw::from_slice(&six), self.at, s)
+        self.axes.about_com(self.read(s.inputs), self.at, s)
     }
 
     /// The parameters passed through `f`.

@@ -15,17 +15,31 @@ use crate::screw::Screw;
 #[derive(Clone, Debug)]
 pub struct Usual<T> {
     gravity: Option<UniformGravity<T>>,
-    /// The diagonal.
     damping: Option<Screw<T>>,
-    /// In body axes; and the same about the mass centre, which does not change.
-    constant: Option<(ConstantWrench<T>, Screw<T>)>,
+    /// In body axes.
+    constant: Option<ConstantWrench<T>>,
     /// In body axes; and where it acts from the mass centre.
     input: Option<(InputWrench<T>, Vec3<T>)>,
+    sum: Sum<T>,
 }
 
-impl<T> Default for Usual<T> {
+/// What they add up to; zero where there are none, for a product costs less than a branch.
+#[derive(Clone, Debug)]
+struct Sum<T> {
+    /// The acceleration of gravity, world axes.
+    field: Vec3<T>,
+    /// The diagonal of the damping.
+    damping: Screw<T>,
+    /// The constant wrench about the mass centre.
+    constant: Screw<T>,
+}
+
+impl<T: Real> Default for Usual<T> {
+    /// Without any.
+    #[inline(always)]
     fn default() -> Self {
-        Self { gravity: None, damping: None, constant: None, input: None }
+        let sum = Sum { field: Vec3::zero(), damping: Screw::zero(), constant: Screw::zero() };
+        Self { gravity: None, damping: None, constant: None, input: None, sum }
     }
 }
 
@@ -34,15 +48,20 @@ impl<T: Real> Usual<T> {
     #[inline(always)]
     pub fn take(&mut self, force: &Force<T>, body: &Inertia<T>) -> bool {
         match force {
-            Force::UniformGravity(f) if self.gravity.is_none() => self.gravity = Some(*f),
+            Force::UniformGravity(f) if self.gravity.is_none() => {
+                self.sum.field = f.acceleration;
+                self.gravity = Some(*f);
+            }
             Force::LinearDamping(LinearDamping { coefficients: Coefficients::Diagonal(d) })
                 if self.damping.is_none() =>
             {
+                self.sum.damping = *d;
                 self.damping = Some(*d);
             }
             Force::ConstantWrench(f) if self.constant.is_none() && f.axes == Axes::Body => {
                 let (arm, w) = (f.at - body.com, f.wrench);
-                self.constant = Some((*f, Screw::new(w.linear, arm.cross_add(w.linear, w.angular))));
+                self.sum.constant = Screw::new(w.linear, arm.cross_add(w.linear, w.angular));
+                self.constant = Some(*f);
             }
             Force::InputWrench(f) if self.input.is_none() && f.axes == Axes::Body => {
                 self.input = Some((*f, f.at - body.com));
@@ -52,28 +71,43 @@ impl<T: Real> Usual<T> {
         true
     }
 
-    /// The sum of their wrenches in body axes about the mass centre.
+    /// The constant wrench and that of the inputs, about the mass centre.
+    #[inline(always)]
+    fn pushes(&self, inputs: &[T]) -> Screw<T> {
+        let constant = self.sum.constant;
+        match &self.input {
+            Some((f, arm)) => {
+                let Screw { linear, angular } = f.read(inputs);
+                let moment = arm.cross_add(linear, constant.angular + angular);
+                Screw::new(constant.linear + linear, moment)
+            }
+            None => constant,
+        }
+    }
+
+    /// The same forces, to the last bit, with inputs that do not change among what is constant.
+    #[inline(always)]
+    pub fn with_constant(&self, inputs: &[T]) -> Self {
+        let mut all = self.clone();
+        all.sum.constant = self.pushes(inputs);
+        all.input = None;
+        all
+    }
+
+    /// The sum of their wrenches but for the weight, in body axes about the mass centre.
     #[inline(always)]
     pub fn about_com(&self, s: &Situation<'_, T>) -> Screw<T> {
-        let (mut force, mut moment) = (Vec3::zero(), Vec3::zero());
-        if let Some(f) = &self.gravity {
-            force = f.about_com(s).linear;
-        }
-        if let Some(d) = self.damping {
-            let drag = times(d.linear, s.twist.linear);
-            force = force - drag;
-            moment = s.inertia.com.cross(drag) - times(d.angular, s.twist.angular);
-        }
-        if let Some((_, w)) = self.constant {
-            (force, moment) = (force + w.linear, moment + w.angular);
-        }
-        if let Some((f, arm)) = self.input {
-            let [i, j, k, l, m, n] = f.places;
-            let pushed = Vec3::new(s.inputs[i], s.inputs[j], s.inputs[k]);
-            let turned = Vec3::new(s.inputs[l], s.inputs[m], s.inputs[n]);
-            (force, moment) = (force + pushed, arm.cross_add(pushed, moment + turned));
-        }
-        Screw::new(force, moment)
+        let (pushes, damping) = (self.pushes(s.inputs), &self.sum.damping);
+        let drag = times(damping.linear, s.twist.linear);
+        // Two short sums are ready before one long one.
+        let slowed = s.inertia.com.cross_add(drag, -times(damping.angular, s.twist.angular));
+        Screw::new(pushes.linear - drag, pushes.angular + slowed)
+    }
+
+    /// What gravity accelerates every mass by, body axes.
+    #[inline(always)]
+    pub fn field(&self, s: &Situation<'_, T>) -> Vec3<T> {
+        s.rotation.transpose_apply(self.sum.field)
     }
 
     /// The acceleration of gravity, world axes.
@@ -113,7 +147,7 @@ impl<T: Real> Usual<T> {
             let coefficients = Coefficients::Diagonal(d.map(f));
             all.take(&Force::LinearDamping(LinearDamping { coefficients }), body);
         }
-        if let Some((force, _)) = &self.constant {
+        if let Some(force) = &self.constant {
             all.take(&Force::ConstantWrench(force.map(f)), body);
         }
         if let Some((force, _)) = &self.input {

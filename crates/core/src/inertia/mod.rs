@@ -26,7 +26,7 @@ pub struct Inertia<T> {
     /// 1/m.
     pub(crate) inverse_mass: T,
     /// The inverse of `about_com`.
-    inverse_about_com: Sym3<T>,
+    pub(crate) inverse_about_com: Sym3<T>,
 }
 
 impl<T: Real> Inertia<T> {

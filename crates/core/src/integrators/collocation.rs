@@ -110,7 +110,7 @@ impl<T: Lane, M: Method> Stepper<T, M> {
         let changes = &self.memory[(M::STAGES.len() + 2) * stride..];
         let mut sum = T::zero();
         for (change, block) in changes.iter().zip(system.error_blocks()) {
-            sum = self.tolerance.weight(block, &self.y, &self.y).fma(*change, sum);
+            sum = sum + *change / self.tolerance.allowed(block, &self.y, &self.y);
         }
         sum
     }

@@ -14,11 +14,11 @@ const SHRINK: f64 = 0.2;
 pub(super) const GROW: f64 = 10.0;
 
 impl Tolerance {
-    /// `1 / s²` of a block.
+    /// `s²` of a block.
     #[inline(always)]
-    pub(super) fn weight<T: Lane>(&self, block: &Block, y0: &[T], y1: &[T]) -> T {
+    pub(super) fn allowed<T: Lane>(&self, block: &Block, y0: &[T], y1: &[T]) -> T {
         let relative = self.relative * self.relative;
-        let squared = match block.scale {
+        match block.scale {
             ErrorScale::Fixed(size) => T::lit(relative * size * size),
             ErrorScale::Relative => {
                 let range = block.start..block.start + block.len;
@@ -26,8 +26,7 @@ impl Tolerance {
                 // The floor keeps a block that is zero, with a zero error, from 0 / 0.
                 T::lit(relative).fma(y0.max(y1), T::lit(self.absolute * self.absolute + f64::MIN_POSITIVE))
             }
-        };
-        T::one() / squared
+        }
     }
 
     /// The square of the error of a step, relative to what is allowed; `rows` are the error estimates of
@@ -42,18 +41,19 @@ impl Tolerance {
     ) -> T {
         let (mut largest, mut poison) = (T::zero(), T::zero());
         for block in blocks {
-            let weight = self.weight(block, y0, y1);
+            let allowed = self.allowed(block, y0, y1);
             let range = block.start..block.start + block.len;
             // Written out: a map over the array is not always inlined.
-            let high = weight * squared_length(&rows[0][range.clone()]);
-            let low = weight * squared_length(&rows[1][range]);
+            let high = squared_length(&rows[0][range.clone()]);
+            let low = squared_length(&rows[1][range]);
             let error = if M::LARGER_ERROR {
-                high.max(low)
+                high.max(low) / allowed
             } else if M::ERROR.len() == 2 {
+                // Two ratios: the squares of what they are made of may be beyond all doubles.
                 let steadied = T::lit(0.01).fma(low, high).max(T::lit(f64::MIN_POSITIVE));
-                high * high / steadied
+                high / allowed * (high / steadied)
             } else {
-                high
+                high / allowed
             };
             largest = largest.max(error);
             poison = error.fma(T::zero(), poison);

@@ -124,6 +124,8 @@ impl Method for Dop853 {
             (11, 0.02265179219836082),
         ],
     ];
+    const ERROR_BEYOND_CHANGE: Option<Row> =
+        Some(&[(0, -0.2440944881889764), (8, -0.7338466882816118), (11, -0.022058823529411766)]);
     const DENSE_STAGES: &'static [Stage] = &[
         Stage {
             c: 0.1,

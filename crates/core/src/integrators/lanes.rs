@@ -53,13 +53,7 @@ impl Lanes {
     /// The lanes where `a <= b`.
     #[inline(always)]
     pub fn where_le<T: Lane>(a: T, b: T) -> Self {
-        let mut bits = 0;
-        let mut l = 0;
-        while l < T::N {
-            bits |= u32::from(a.get(l) <= b.get(l)) << l;
-            l += 1;
-        }
-        Self(bits)
+        Self(T::le(a, b))
     }
     /// `x` in the lanes of the set, `y` in the others.
     #[inline(always)]

@@ -64,6 +64,8 @@ pub trait Method: 'static {
     /// The error estimates: none for a method with fixed step, else one, or two of which the second is of
     /// low order and steadies the first: `e = e1² / √(e1² + 0.01 e2²)` (Hairer, Nørsett & Wanner, II.10).
     const ERROR: &'static [Row];
+    /// What the second error estimate is more than the change of the state, where that takes fewer products.
+    const ERROR_BEYOND_CHANGE: Option<Row> = None;
     /// Whether of two error estimates the larger counts instead.
     const LARGER_ERROR: bool = false;
     /// Whether the error estimate needs the derivative at the end of the step.

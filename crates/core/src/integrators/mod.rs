@@ -16,6 +16,7 @@ mod jacobian;
 mod lanes;
 mod lu;
 mod method;
+mod rigid;
 mod rk4;
 mod rodas5p;
 mod rosenbrock;
@@ -37,6 +38,9 @@ pub use rk4::Rk4;
 pub use rodas5p::Rodas5P;
 pub(crate) use stepper::write_lane;
 pub use stepper::{Stepper, Trial, Verdict};
+
+/// The size of a state that there is code of its own for: that of a rigid body in quaternions.
+const RIGID: usize = 13;
 
 /// A system of ordinary differential equations `dy/dt = f(t, y)`.
 pub trait System<T> {

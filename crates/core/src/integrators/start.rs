@@ -1,7 +1,7 @@
 //! Trajectories put into lanes.
 
 use super::controller::{GROW, power};
-use super::sums::{advance, squared_length, stride};
+use super::sums::{advance, squared_length};
 use super::{Lanes, Method, Solve, Stepper, System, collocation};
 use crate::scalar::Lane;
 
@@ -78,7 +78,6 @@ impl<T: Lane, M: Method> Stepper<T, M> {
         }
         let stages = M::STAGES.len() + 1 + M::DENSE_STAGES.len();
         self.size = size;
-        let stride = stride::<T>(size);
         let vectors =
             [(&mut self.y, 1), (&mut self.trial.y, 1), (&mut self.k, stages), (&mut self.scratch, 2)];
         let memory = match M::SOLVE {
@@ -88,7 +87,7 @@ impl<T: Lane, M: Method> Stepper<T, M> {
         };
         let more = [(&mut self.dense, 3 + M::DENSE.len()), (&mut self.memory, memory)];
         for (vector, count) in vectors.into_iter().chain(more) {
-            *vector = vec![T::zero(); count * stride];
+            *vector = vec![T::zero(); count * size];
         }
     }
 
@@ -145,7 +144,7 @@ impl<T: Lane, M: Method> Stepper<T, M> {
         let mut sum = T::zero();
         for block in blocks {
             let length = squared_length(&x[block.start..block.start + block.len]);
-            sum = self.tolerance.weight(block, &self.y, &self.y).fma(length, sum);
+            sum = sum + length / self.tolerance.allowed(block, &self.y, &self.y);
         }
         (sum * T::lit(1.0 / blocks.len().max(1) as f64)).sqrt()
     }

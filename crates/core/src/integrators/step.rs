@@ -1,9 +1,10 @@
 //! One step: tried in all lanes at once, then taken or not, lane by lane.
 
 use super::controller::{GROW, HUGE, step_factor};
+use super::rigid::POSITION;
 use super::stepper::TrialStep;
-use super::sums::{advance, advance_from, change};
-use super::{Lanes, Method, Solve, Stepper, System, Trial, Verdict};
+use super::sums::{advance, change};
+use super::{Lanes, Method, RIGID, Solve, Stepper, System, Trial, Verdict};
 use crate::scalar::Lane;
 
 impl<T: Lane, M: Method> Stepper<T, M> {
@@ -95,7 +96,9 @@ impl<T: Lane, M: Method> Stepper<T, M> {
     #[inline(always)]
     fn stages<S: System<T> + ?Sized>(&mut self, system: &S) -> T {
         let mut left = T::zero();
+        let rigid = self.size == RIGID && system.first_read() == POSITION;
         match &M::SOLVE {
+            Solve::Explicit if rigid => self.rigid_stages(system),
             Solve::Explicit => self.explicit_stages(system),
             Solve::Iterated(method) => left = self.iterated_stages(system, method),
             Solve::Linear(method) => self.linear_stages(system, method),
@@ -114,10 +117,8 @@ impl<T: Lane, M: Method> Stepper<T, M> {
     fn explicit_stages<S: System<T> + ?Sized>(&mut self, system: &S) {
         let (n, stride) = (self.size, self.y.len());
         let TrialStep { h, t_before, .. } = self.trial;
-        // Whole tiles of single numbers are quicker than fewer numbers.
-        let first = if T::N > 1 { system.first_read() } else { 0 };
         for (s, stage) in M::STAGES.iter().enumerate().skip(1) {
-            advance_from(stage.a, h, &self.y, &self.k, first, &mut self.scratch[..stride]);
+            advance(stage.a, h, &self.y, &self.k, &mut self.scratch[..stride]);
             let time = if stage.c == 1.0 { t_before } else { T::lit(stage.c).fma(h, self.t) };
             let k = self.stage(s);
             system.derivative(time, &self.scratch[..n], &mut self.k[k]);
@@ -153,10 +154,18 @@ impl<T: Lane, M: Method> Stepper<T, M> {
             return T::select_le(left, T::one(), not_finite(&self.trial.y) + left, left);
         }
         let (first, second) = self.scratch.split_at_mut(self.y.len());
-        for (row, out) in M::ERROR.iter().zip([&mut *first, &mut *second]) {
-            change(row, h, &self.k, out);
-        }
         let (y0, y1) = (&self.y, &self.trial.y);
+        if let Some(row) = M::ERROR.first() {
+            change(row, h, &self.k, first);
+        }
+        if let Some(row) = M::ERROR_BEYOND_CHANGE {
+            advance(row, h, y1, &self.k, second);
+            for (second, y0) in second.iter_mut().zip(y0) {
+                *second = *second - *y0;
+            }
+        } else if let Some(row) = M::ERROR.get(1) {
+            change(row, h, &self.k, second);
+        }
         self.tolerance.squared_error::<T, M>(system.error_blocks(), y0, y1, [&*first, &*second])
     }
 
@@ -189,14 +198,28 @@ impl<T: Lane, M: Method> Stepper<T, M> {
             self.grow = T::select_le(size, T::zero(), self.grow, grow);
         }
         self.accepted = self.accepted + T::select_le(error, one, one, T::zero());
-        if Lanes::where_le(error, one).is_empty() {
+        let taken = Lanes::where_le(error, one);
+        if taken.is_empty() {
+            return;
+        }
+        let n = self.y.len();
+        let (start, later) = self.k.split_at_mut(n);
+        if taken == Lanes::all::<T>() && !matches!(M::SOLVE, Solve::Iterated(_)) {
+            // What most steps do, without a choice in every component.
+            self.t = self.trial.t;
+            std::mem::swap(&mut self.y, &mut self.trial.y);
+            if self.trial.end_evaluated {
+                start.copy_from_slice(&later[(M::STAGES.len() - 1) * n..][..n]);
+            } else {
+                system.derivative(self.trial.t_before, &self.y, start);
+                self.evaluations += 1;
+            }
             return;
         }
         self.evaluate_end(system);
         if let Solve::Iterated(method) = &M::SOLVE {
             self.remember_stages(error, method);
         }
-        let n = self.y.len();
         self.t = T::select_le(error, one, self.trial.t, self.t);
         let (start, later) = self.k.split_at_mut(n);
         let end = &later[(M::STAGES.len() - 1) * n..];

@@ -39,7 +39,7 @@ pub struct Trial {
 #[derive(Debug)]
 pub struct Stepper<T, M> {
     pub(super) tolerance: Tolerance,
-    /// Number of components; the vectors below may be filled up with zeros.
+    /// Number of components.
     pub(super) size: usize,
     /// `+1` or `-1`: the direction of time; step sizes are positive.
     pub(super) direction: T,

@@ -1,5 +1,6 @@
 //! Weighted sums of stages, the inner loops of every step.
 
+use super::RIGID;
 use super::method::Row;
 use crate::scalar::Lane;
 
@@ -9,46 +10,55 @@ const WIDTH: usize = 4;
 /// Lanes have registers for more.
 const WIDE: usize = 8;
 
-/// How many numbers a vector of `n` components takes.
-///
-/// Single numbers are filled up with zeros to whole tiles, which the compiler turns into registers.
-#[inline(always)]
-pub(super) fn stride<T: Lane>(n: usize) -> usize {
-    if T::N == 1 { n.next_multiple_of(WIDTH) } else { n }
-}
-
 /// Components `i` to `i + W` of a vector.
 #[inline(always)]
-fn tile<T: Lane, const W: usize>(x: &[T], i: usize) -> [T; W] {
-    let end = i + W;
-    *x[i..end].first_chunk().expect("W components")
+fn part<T, const W: usize>(x: &[T], i: usize) -> &[T; W] {
+    x[i..i + W].first_chunk().expect("W components")
 }
 
-/// Components `i` to `i + W` of `Σ w_j k_j`; each stage of `k` has `n` components.
+/// `sum + h Σ w_j k_j` in `W` components, each weight rounded with `h`; `k` has those of a stage.
 #[inline(always)]
-fn weighted<T: Lane, const W: usize>(row: Row, k: &[T], n: usize, i: usize) -> [T; W] {
-    // The sum starts from its first term: starting from a copied vector, the copy is a call.
-    let (j, w) = row[0];
-    let mut sum = tile::<T, W>(k, j * n + i);
-    for s in &mut sum {
-        *s = T::lit(w) * *s;
-    }
-    for &(j, w) in &row[1..] {
-        for (s, x) in sum.iter_mut().zip(tile::<T, W>(k, j * n + i)) {
-            *s = T::lit(w).fma(x, *s);
+pub(super) fn added<'a, T: Lane, const W: usize>(
+    mut sum: [T; W],
+    row: Row,
+    h: T,
+    k: impl Fn(usize) -> &'a [T; W],
+) -> [T; W] {
+    for &(j, w) in row {
+        let (k, w) = (k(j), h * T::lit(w));
+        for (s, k) in sum.iter_mut().zip(k) {
+            *s = w.fma(*k, *s);
         }
     }
     sum
 }
 
-/// `h Σ w_j k_j` in `W` components from `i` on, and `y` added to it if there is one.
+/// `h Σ w_j k_j` in `W` components, and `y` added to it if there is one.
+///
+/// Nothing but the sum is rounded with `h`: were each weight, a method that keeps the energy would lose it, little by
+/// little.
 #[inline(always)]
-fn piece<T: Lane, const W: usize>(row: Row, h: T, y: Option<&[T]>, k: &[T], n: usize, i: usize) -> [T; W] {
-    let mut sum = weighted::<T, W>(row, k, n, i);
+fn tile<'a, T: Lane, const W: usize>(
+    row: Row,
+    h: T,
+    y: Option<&[T; W]>,
+    k: impl Fn(usize) -> &'a [T; W],
+) -> [T; W] {
+    // The sum starts from its first term: starting from a copied vector, the copy is a call.
+    let (j, w) = row[0];
+    let mut sum = *k(j);
+    for s in &mut sum {
+        *s = T::lit(w) * *s;
+    }
+    for &(j, w) in &row[1..] {
+        for (s, k) in sum.iter_mut().zip(k(j)) {
+            *s = T::lit(w).fma(*k, *s);
+        }
+    }
     match y {
         Some(y) => {
-            for (s, y) in sum.iter_mut().zip(tile::<T, W>(y, i)) {
-                *s = h.fma(*s, y);
+            for (s, y) in sum.iter_mut().zip(y) {
+                *s = h.fma(*s, *y);
             }
         }
         None => {
@@ -60,11 +70,30 @@ fn piece<T: Lane, const W: usize>(row: Row, h: T, y: Option<&[T]>, k: &[T], n: u
     sum
 }
 
-/// `out = h Σ w_j k_j` in the components from `first` on, and `y` added to it if there is one.
+/// The same from component `i` on of vectors of any length.
 #[inline(always)]
-fn combine<T: Lane>(row: Row, h: T, y: Option<&[T]>, k: &[T], first: usize, out: &mut [T]) {
+fn piece<T: Lane, const W: usize>(row: Row, h: T, y: Option<&[T]>, k: &[T], n: usize, i: usize) -> [T; W] {
+    let y = match y {
+        Some(y) => Some(part(y, i)),
+        None => None,
+    };
+    tile(
+        row,
+        h,
+        y,
+        #[inline(always)]
+        |j| part(k, j * n + i),
+    )
+}
+
+/// `out = h Σ w_j k_j`, and `y` added to it if there is one.
+#[inline(always)]
+fn combine<T: Lane>(row: Row, h: T, y: Option<&[T]>, k: &[T], out: &mut [T]) {
     let n = out.len();
-    let mut i = first;
+    if let Ok(out) = <&mut [T; RIGID]>::try_from(&mut *out) {
+        return rigid(row, h, y, k, out);
+    }
+    let mut i = 0;
     // The wider the tile, the less of the time goes into finding the stages.
     while i + WIDE <= n {
         out[i..i + WIDE].copy_from_slice(&piece::<T, WIDE>(row, h, y, k, n, i));
@@ -80,30 +109,52 @@ fn combine<T: Lane>(row: Row, h: T, y: Option<&[T]>, k: &[T], first: usize, out:
     }
 }
 
-/// `out = y + h Σ w_j k_j` in the components from `first` on.
+/// The same for the state that most runs have: where the compiler knows its size, nothing but products is left.
 #[inline(always)]
-pub(super) fn advance_from<T: Lane>(row: Row, h: T, y: &[T], k: &[T], first: usize, out: &mut [T]) {
-    combine(row, h, Some(y), k, first, out);
+fn rigid<T: Lane>(row: Row, h: T, y: Option<&[T]>, k: &[T], out: &mut [T; RIGID]) {
+    let k = k.as_chunks::<RIGID>().0;
+    let mut most = 0;
+    for (j, _) in row {
+        most = most.max(*j);
+    }
+    assert!(most < k.len(), "as many stages as the method has");
+    let y = match y {
+        Some(y) => Some(part(y, 0)),
+        None => None,
+    };
+    *out = tile(
+        row,
+        h,
+        y,
+        #[inline(always)]
+        |j| &k[j],
+    );
 }
 
 /// `out = y + h Σ w_j k_j`.
 #[inline(always)]
 pub(super) fn advance<T: Lane>(row: Row, h: T, y: &[T], k: &[T], out: &mut [T]) {
-    combine(row, h, Some(y), k, 0, out);
+    combine(row, h, Some(y), k, out);
 }
 
 /// `out = h Σ w_j k_j`.
 #[inline(always)]
 pub(super) fn change<T: Lane>(row: Row, h: T, k: &[T], out: &mut [T]) {
-    combine(row, h, None, k, 0, out);
+    combine(row, h, None, k, out);
 }
 
-/// `|x|²`.
+/// `|x|²`; of three or four components without a loop.
 #[inline(always)]
 pub(super) fn squared_length<T: Lane>(x: &[T]) -> T {
-    let mut sum = T::zero();
-    for x in x {
-        sum = x.fma(*x, sum);
+    match *x {
+        [a, b, c] => a.fma(a, b.fma(b, c * c)),
+        [a, b, c, d] => a.fma(a, b.fma(b, c.fma(c, d * d))),
+        _ => {
+            let mut sum = T::zero();
+            for x in x {
+                sum = x.fma(*x, sum);
+            }
+            sum
+        }
     }
-    sum
 }

@@ -1,16 +1,15 @@
 //! The free rigid body with its forces, in any chart and either kind of velocity.
 
-use super::laws::{command, elsewhere};
-use super::orientation::{Orientation, quaternion_of};
+use super::Left;
+use super::laws::command;
+use super::orientation::Orientation;
 use super::parts::{Parts, Sizes, convert};
-use super::{Dynamics, Left};
-use crate::algebra::{Mat3, Vec3, normalized};
+use crate::algebra::{Mat3, Vec3};
 use crate::buffer::Buffer;
-use crate::charts::{Sequence, angular_velocity, quaternion_rate};
+use crate::charts::Sequence;
 use crate::forces::{Acting, Force, Situation, Traced, total};
 use crate::generalized::origin_acceleration;
 use crate::inertia::Inertia;
-use crate::integrators::{Block as ErrorBlock, ErrorScale};
 use crate::newton_euler::acceleration_about_com;
 use crate::scalar::{Block, Real};
 use crate::screw::Screw;
@@ -89,7 +88,8 @@ impl<T: Real> FreeBody<T> {
         self.law().is_some() || self.control.is_some()
     }
 
-    /// The sum of all wrenches, in body axes about the mass centre; the rates of the auxiliary states are written.
+    /// The sum of all wrenches but that of [`FreeBody::field`], in body axes about the mass centre; the rates of the
+    /// auxiliary states are written.
     #[inline(always)]
     pub(super) fn wrench<const LAWS: bool>(&self, s: Situation<'_, T>, rates: &mut [T]) -> Screw<T> {
         if !LAWS {
@@ -108,6 +108,15 @@ impl<T: Real> FreeBody<T> {
         match self.law() {
             Some(law) => sum + law.about_com(&s, rates),
             None => sum,
+        }
+    }
+
+    /// What accelerates the mass centre besides the wrenches, body axes.
+    #[inline(always)]
+    pub(super) fn field(&self, s: &Situation<'_, T>) -> Vec3<T> {
+        match &self.acting {
+            Some(acting) => acting.usual.field(s),
+            None => Vec3::zero(),
         }
     }
 
@@ -171,7 +180,7 @@ impl<T: Real> FreeBody<T> {
         let s = Situation { time: t, position, rotation, twist, inertia, inputs: u, states };
         let rate = match &self.left {
             Some(left) if LEFT => self.solved_with(left, s, dx.auxiliary),
-            _ => acceleration_about_com(inertia, twist, self.wrench::<LAWS>(s, dx.auxiliary)),
+            _ => acceleration_about_com(inertia, twist, self.wrench::<LAWS>(s, dx.auxiliary), self.field(&s)),
         };
         // ... and back into them.
         match self.form {
@@ -216,84 +225,5 @@ impl<T: Real> FreeBody<T> {
         };
         let (chart, form) = (self.chart, self.form);
         FreeBody { inertia, forces, chart, form, acting, control, left, compiled: None }
-    }
-}
-
-impl<T: Real> Dynamics<T> for FreeBody<T> {
-    #[inline(always)]
-    fn state_size(&self) -> usize {
-        let mut n = match &self.acting {
-            Some(acting) => acting.states_end(),
-            None => self.forces.iter().map(|f| f.states().end).max().unwrap_or(0),
-        };
-        if let Some(law) = &self.control {
-            n = n.max(law.places.states.end);
-        }
-        self.rigid_size() + n
-    }
-
-    #[inline(always)]
-    fn input_size(&self) -> usize {
-        let n = match &self.acting {
-            Some(acting) => acting.inputs_end(),
-            None => self.forces.iter().map(Force::inputs_end).max().unwrap_or(0),
-        };
-        match &self.control {
-            Some(law) => law.places.inputs_end().max(n.saturating_sub(law.result_count())),
-            None => n,
-        }
-    }
-
-    #[inline(always)]
-    fn derivative(&self, t: T, x: &[T], u: &[T], dx: &mut [T]) {
-        if let Some([block, _]) = &self.compiled
-            && elsewhere(&**block, t, x, u, dx)
-        {
-            return;
-        }
-        let sizes = self.sizes();
-        if self.left.is_some() {
-            T::call(
-                #[inline(always)]
-                || self.rate::<true, true>(t, Parts::of(x, sizes), u, Parts::of_mut(dx, sizes)),
-            );
-        } else if self.has_laws() {
-            T::call(
-                #[inline(always)]
-                || self.rate::<true, false>(t, Parts::of(x, sizes), u, Parts::of_mut(dx, sizes)),
-            );
-        } else {
-            self.rate::<false, false>(t, Parts::of(x, sizes), u, Parts::of_mut(dx, sizes));
-        }
-    }
-
-    /// The unit quaternion back to length one, and its rate back to the tangent.
-    #[inline(always)]
-    fn project(&self, x: &mut [T]) {
-        if self.chart != Chart::Quaternion {
-            return;
-        }
-        let q = normalized(quaternion_of(&x[3..7]));
-        x[3..7].copy_from_slice(&q);
-        if self.form == Form::Generalized {
-            let w = angular_velocity(q, quaternion_of(&x[10..14]));
-            x[10..14].copy_from_slice(&quaternion_rate(q, w));
-        }
-    }
-
-    fn error_blocks(&self) -> Vec<ErrorBlock> {
-        let Sizes { orientation, turning } = self.sizes();
-        let n = 3 + orientation;
-        let radian = if self.chart == Chart::Quaternion { 0.5 } else { 1.0 };
-        let mut blocks = vec![
-            ErrorBlock { start: 0, len: 3, scale: ErrorScale::Relative },
-            ErrorBlock { start: 3, len: orientation, scale: ErrorScale::Fixed(radian) },
-            ErrorBlock { start: n, len: 3, scale: ErrorScale::Relative },
-            ErrorBlock { start: n + 3, len: turning, scale: ErrorScale::Relative },
-        ];
-        for start in self.rigid_size()..self.state_size() {
-            blocks.push(ErrorBlock { start, len: 1, scale: ErrorScale::Relative });
-        }
-        blocks
     }
 }

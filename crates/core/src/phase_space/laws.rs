@@ -5,7 +5,7 @@ use super::parts::Parts;
 use super::{FreeBody, RigidState};
 use crate::algebra::Vec3;
 use crate::buffer::Buffer;
-use crate::forces::{Force, Situation, Traced};
+use crate::forces::{Acting, Force, Situation, Traced};
 use crate::inertia::Inertia;
 use crate::scalar::{Block, Real};
 use crate::screw::Screw;
@@ -92,7 +92,9 @@ impl<T: Real> FreeBody<T> {
 impl FreeBody<f64> {
     /// Whether a force or a law depends on the position; for what was compiled nobody knows.
     pub fn reads_position(&self) -> bool {
-        let by_force = self.forces.iter().any(Force::reads_position);
+        // A body whose parameters were passed through something has its forces in one piece alone.
+        let by_force = self.forces.iter().any(Force::reads_position)
+            || self.acting.as_ref().is_some_and(Acting::reads_position);
         let by_contents = self.left.iter().flat_map(|left| &left.contents).any(|c| c.law.reads_position());
         by_force
             || by_contents

@@ -127,7 +127,9 @@ impl<T: Real> FreeBody<T> {
     #[inline(always)]
     pub(super) fn solved_with(&self, left: &Left<T>, s: Situation<'_, T>, rates: &mut [T]) -> Screw<T> {
         let inertia = left.inertia(&s);
-        let wrench = self.wrench::<true>(Situation { inertia: &inertia, ..s }, rates);
+        let s = Situation { inertia: &inertia, ..s };
+        let mut wrench = self.wrench::<true>(s, rates);
+        wrench.linear = self.field(&s).scale_add(inertia.mass, wrench.linear);
         let rate = left.acceleration(&inertia, s.twist, wrench);
         for spin in &left.spins {
             rates[spin.state] = rates[spin.state] - spin.axis.dot(rate.angular);

@@ -1,5 +1,6 @@
 //! The equations as x' = f(x, u, t): (3.1), (3.2).
 
+mod dynamics;
 mod free_body;
 mod jacobian;
 mod laws;
@@ -8,13 +9,16 @@ mod lift;
 mod orientation;
 mod parameters;
 pub(crate) mod parts;
+mod pattern;
+mod plain;
 mod state;
 
 pub use free_body::{Chart, Form, FreeBody};
-pub use jacobian::Entries;
+pub(crate) use jacobian::{ClosedJacobian, Entries};
 pub(crate) use laws::elsewhere;
 pub use left::{Contents, Left, Spin};
 pub use parameters::BODY_PARAMETERS;
+pub(crate) use pattern::{PLACES, STATES, VARYING};
 pub use state::RigidState;
 
 use crate::algebra::Vec3;

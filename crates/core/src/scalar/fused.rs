@@ -1,4 +1,4 @@
-//! One number with fused products.
+//! One number with fused products, where every processor has them.
 
 use super::lanes::functions;
 use super::{Grid, Lane, Real, Table};
@@ -6,8 +6,7 @@ use std::ops::{Add, Div, Mul, Neg, Sub};
 
 /// An `f64` whose [`Real::fma`] rounds once.
 ///
-/// A single run on this type is bit for bit the same run as in one lane of a register with fused
-/// products. Like a register, it is for use inside [`Real::call`] only: elsewhere `fma` is a library call.
+/// A single run on this type is bit for bit the same run as in one lane of a register with fused products.
 #[derive(Clone, Copy, Debug, PartialEq, PartialOrd)]
 #[repr(transparent)]
 pub struct Fused(pub f64);
@@ -66,18 +65,9 @@ impl Real for Fused {
         Self(grid.value(self.0, y.0))
     }
     functions!();
-    #[inline(always)]
+    #[inline(never)]
     fn call<R>(f: impl FnOnce() -> R) -> R {
-        #[cfg_attr(target_arch = "x86_64", target_feature(enable = "avx2,fma,bmi2"))]
-        #[inline(never)]
-        fn enter<R>(f: impl FnOnce() -> R) -> R {
-            f()
-        }
-        // SAFETY: `scalar::isa` has asked the processor for the instruction set.
-        #[allow(unused_unsafe)]
-        unsafe {
-            enter(f)
-        }
+        f()
     }
 }
 
@@ -93,8 +83,8 @@ impl Lane for Fused {
         Self(x)
     }
     #[inline(always)]
-    fn all_le(a: Self, b: Self) -> bool {
-        a.0 <= b.0
+    fn le(a: Self, b: Self) -> u32 {
+        u32::from(a.0 <= b.0)
     }
     #[inline(always)]
     fn from_lanes(mut f: impl FnMut(usize) -> f64) -> Self {

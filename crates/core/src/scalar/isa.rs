@@ -58,6 +58,11 @@ macro_rules! with_scalar {
                 type $L = f64;
                 $body
             }
+            #[cfg(target_arch = "x86_64")]
+            $crate::scalar::isa::Isa::Avx512 => {
+                type $L = $crate::scalar::Fused512;
+                $body
+            }
             _ => {
                 type $L = $crate::scalar::Fused;
                 $body

@@ -17,14 +17,28 @@ pub trait Lane: Real {
     fn get(self, l: usize) -> f64;
     /// The same value with lane `l` replaced.
     fn with(self, l: usize, x: f64) -> Self;
-    /// Whether `a <= b` in every lane (false where one of them is not a number).
-    fn all_le(a: Self, b: Self) -> bool;
+    /// The lanes where `a <= b` as bits, the first the lowest; none where one of them is not a number.
+    fn le(a: Self, b: Self) -> u32;
+    /// Whether `a <= b` in every lane.
+    #[inline(always)]
+    fn all_le(a: Self, b: Self) -> bool {
+        Self::le(a, b) == (1 << Self::N) - 1
+    }
     /// The value whose lanes are given by `f`.
     fn from_lanes(f: impl FnMut(usize) -> f64) -> Self;
     /// The first [`Lane::N`] numbers of a slice.
     fn load(numbers: &[f64]) -> Self;
     /// Writes the lanes to the first places of a slice.
     fn store(self, numbers: &mut [f64]);
+    /// The same past the caches, where the register is a cache line and the places are one. Others may read them only
+    /// behind [`Lane::settle`].
+    #[inline(always)]
+    fn stream(self, numbers: &mut [f64]) {
+        self.store(numbers);
+    }
+    /// Ends what [`Lane::stream`] has begun.
+    #[inline(always)]
+    fn settle() {}
 }
 
 /// What every lane type does in the same way: the functions of [`Real`] that are written over [`Lane`].
@@ -86,8 +100,8 @@ impl Lane for f64 {
         x
     }
     #[inline(always)]
-    fn all_le(a: Self, b: Self) -> bool {
-        a <= b
+    fn le(a: Self, b: Self) -> u32 {
+        u32::from(a <= b)
     }
     #[inline(always)]
     fn from_lanes(mut f: impl FnMut(usize) -> f64) -> Self {

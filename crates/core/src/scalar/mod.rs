@@ -10,6 +10,7 @@ mod block;
 mod dual;
 mod elementary;
 mod exponential;
+#[cfg(not(target_arch = "x86_64"))]
 mod fused;
 mod grid;
 pub mod isa;
@@ -26,6 +27,7 @@ pub use block::Block;
 pub use dual::Dual;
 pub use elementary::Elementary;
 pub(crate) use exponential::{exponent, mantissa};
+#[cfg(not(target_arch = "x86_64"))]
 pub use fused::Fused;
 pub use grid::{Grid, Patch};
 pub use lanes::Lane;
@@ -33,7 +35,7 @@ pub use lattice::{Lattice, MAX_AXES, Rule};
 #[cfg(target_arch = "aarch64")]
 pub use registers::Neon;
 #[cfg(target_arch = "x86_64")]
-pub use registers::{Avx2, Avx512, Sse2};
+pub use registers::{Avx2, Avx512, Fused, Fused512, Sse2};
 pub use table::{Interpolation, Table, TableError};
 
 use std::fmt::Debug;

@@ -2,6 +2,7 @@
 
 use super::inputs::{Inputs, add_tables};
 use crate::buffer::Buffer;
+use crate::forces::Usual;
 use crate::integrators::{Block, System, differentiate};
 use crate::phase_space::{Dynamics, FreeBody};
 use crate::scalar::{Dual, Lane, Table};
@@ -25,6 +26,8 @@ pub struct Motion<'a, T> {
     duals: OnceCell<FreeBody<Dual<T, 1>>>,
     blocks: Vec<Block>,
     first_read: usize,
+    /// The forces under constant inputs on a body that [`FreeBody::plain_rate_under`] knows.
+    plain: Option<Usual<T>>,
 }
 
 impl<'a, T: Lane> Motion<'a, T> {
@@ -39,7 +42,7 @@ impl<'a, T: Lane> Motion<'a, T> {
                 }
             },
         );
-        Self {
+        let mut made = Self {
             body: body.lift(),
             original: body,
             constants,
@@ -48,10 +51,25 @@ impl<'a, T: Lane> Motion<'a, T> {
             duals: OnceCell::new(),
             blocks: Dynamics::<f64>::error_blocks(body),
             first_read: if body.reads_position() { 0 } else { 3 },
-        }
+            plain: None,
+        };
+        made.settle();
+        made
     }
 
-    /// Gives lane `l` other constant inputs; tables are added to them.
+    /// Puts together what does not change any more; what compiled derivatives do is not known.
+    fn settle(&mut self) {
+        let plain = self.original.is_plain() && self.body.compiled.is_none() && self.tables.is_empty();
+        self.plain = match &self.body.acting {
+            Some(acting) if plain => T::call(
+                #[inline(always)]
+                || Some(acting.usual.with_constant(&self.constants)),
+            ),
+            _ => None,
+        };
+    }
+
+    /// Gives lane `l` other constant inputs, which hold from the next [`Motion::renew`] on; tables are added to them.
     pub fn set_inputs(&mut self, l: usize, constants: &[f64]) {
         T::call(
             #[inline(always)]
@@ -78,8 +96,16 @@ impl<'a, T: Lane> Motion<'a, T> {
         );
     }
 
-    /// Makes the body of the parameters that the lanes were given. What was compiled elsewhere knows none of them.
+    /// Makes the body of the parameters that the lanes were given, and what comes of their inputs. What was compiled
+    /// elsewhere knows none of the parameters.
     pub fn renew(&mut self) {
+        if !self.parameters.is_empty() {
+            self.renew_body();
+        }
+        self.settle();
+    }
+
+    fn renew_body(&mut self) {
         T::call(
             #[inline(always)]
             || {
@@ -128,18 +154,21 @@ impl<T: Lane> System<T> for Motion<'_, T> {
 
     #[inline(always)]
     fn derivative(&self, t: T, y: &[T], dy: &mut [T]) {
+        if let (Some(usual), Some(y), Some(dy)) = (&self.plain, y.first_chunk(), dy.first_chunk_mut()) {
+            return T::call(
+                #[inline(always)]
+                || self.body.plain_rate_under(usual, y, &[], dy),
+            );
+        }
+        if self.tables.is_empty() {
+            return self.body.derivative(t, y, &self.constants, dy);
+        }
         T::call(
             #[inline(always)]
             || {
-                let mut room = None;
-                let u: &[T] = if self.tables.is_empty() {
-                    &self.constants
-                } else {
-                    let all = room.insert(Buffer::<T, ON_STACK>::new(self.constants.len())).slice();
-                    self.inputs_at(t, all);
-                    all
-                };
-                self.body.derivative(t, y, u, dy);
+                let mut u = Buffer::<T, ON_STACK>::new(self.constants.len());
+                self.inputs_at(t, u.slice());
+                self.body.derivative(t, y, u.slice(), dy);
             },
         );
     }

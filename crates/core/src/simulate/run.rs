@@ -22,11 +22,12 @@ pub fn run<T: Lane, M: Method>(
     task: &Task<'_>,
     progress: &mut dyn FnMut(f64) -> bool,
 ) -> Run {
-    let free = body.in_quaternions();
+    let free = (body.chart != Chart::Quaternion).then(|| body.in_quaternions());
+    let models: Vec<_> = std::iter::once(body).chain(&free).collect();
     let mut driver = Driver::<T, M> {
         task,
-        models: [body, &free],
-        motions: [Motion::new(body, task.inputs), Motion::new(&free, task.inputs)],
+        motions: models.iter().map(|model| Motion::new(model, task.inputs)).collect(),
+        models,
         stepper: Stepper::new(task.tolerance),
         watcher: Watcher::new(task.watched.unwrap_or(&Watched::default())),
         current: 0,
@@ -52,11 +53,11 @@ pub fn run<T: Lane, M: Method>(
     driver.finish()
 }
 
-/// A run on its way: the model as asked for and the same in quaternions, one of them at work.
+/// A run on its way: the model as asked for and, unless it is that, the same in quaternions, one of them at work.
 pub(super) struct Driver<'a, T, M> {
     pub(super) task: &'a Task<'a>,
-    pub(super) models: [&'a FreeBody<f64>; 2],
-    pub(super) motions: [Motion<'a, T>; 2],
+    pub(super) models: Vec<&'a FreeBody<f64>>,
+    pub(super) motions: Vec<Motion<'a, T>>,
     pub(super) stepper: Stepper<T, M>,
     pub(super) watcher: Watcher<T>,
     /// Which of the two is at work: 0 as asked for, 1 in quaternions.

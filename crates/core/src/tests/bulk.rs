@@ -5,6 +5,7 @@ use crate::bulk::Points;
 use crate::evaluate::Evaluator;
 use crate::forces::{Axes, Coefficients, Force, LinearDamping};
 use crate::phase_space::{Chart, Dynamics, Form};
+use crate::scalar::isa::Isa;
 
 const COUNT: usize = 150;
 
@@ -67,6 +68,21 @@ fn derivatives_are_those_of_the_states_alone() {
     }
 }
 
+/// Leaves of the forces the first of each wanted kind that the closed form knows.
+fn under_usual_forces(mut case: Case, mut wanted: [bool; 4]) -> Case {
+    case.model.forces.retain(|f| {
+        let kind = match f {
+            Force::UniformGravity(_) => 0,
+            Force::LinearDamping(LinearDamping { coefficients: Coefficients::Diagonal(_) }) => 1,
+            Force::ConstantWrench(f) if f.axes == Axes::Body => 2,
+            Force::InputWrench(f) if f.axes == Axes::Body => 3,
+            _ => return false,
+        };
+        std::mem::take(&mut wanted[kind])
+    });
+    case
+}
+
 /// The closed form against duals; every subset of the forces that it knows.
 #[test]
 fn jacobians_are_those_of_the_states_alone() {
@@ -74,19 +90,8 @@ fn jacobians_are_those_of_the_states_alone() {
     let plain = (Chart::Quaternion, Form::QuasiVelocity);
     let mut cases: Vec<Case> = MAKES.map(|make| make(&mut random, plain)).into();
     for chosen in 0..16 {
-        let mut case = case(&mut random, plain);
-        let mut kinds = [chosen & 1 > 0, chosen & 2 > 0, chosen & 4 > 0, chosen & 8 > 0];
-        case.model.forces.retain(|f| {
-            let kind = match f {
-                Force::UniformGravity(_) => 0,
-                Force::LinearDamping(LinearDamping { coefficients: Coefficients::Diagonal(_) }) => 1,
-                Force::ConstantWrench(f) if f.axes == Axes::Body => 2,
-                Force::InputWrench(f) if f.axes == Axes::Body => 3,
-                _ => return false,
-            };
-            std::mem::take(&mut kinds[kind])
-        });
-        cases.push(case);
+        let all = case(&mut random, plain);
+        cases.push(under_usual_forces(all, [chosen & 1 > 0, chosen & 2 > 0, chosen & 4 > 0, chosen & 8 > 0]));
     }
     for mut case in cases {
         // Without what is made ready the Jacobian goes through duals.
@@ -116,6 +121,47 @@ fn jacobians_are_those_of_the_states_alone() {
                     let found = all[(i * (n + m) + j) * COUNT + k];
                     assert!((found - right).abs() < 1e-13 * size, "{i} {j}: {found} {right}");
                     assert!((closed - right).abs() < 1e-13 * size, "{i} {j}: {closed} {right}");
+                }
+            }
+        }
+    }
+}
+
+/// Few states fill lanes, many are written past the caches, at any place of a cache line; all by the same operations.
+#[test]
+fn results_do_not_depend_on_the_count() {
+    let mut random = Random(502);
+    let case = case(&mut random, (Chart::Quaternion, Form::QuasiVelocity));
+    let mut case = under_usual_forces(case, [true; 4]);
+    case.u.truncate(Dynamics::<f64>::input_size(&case.model));
+    case.model = case.model.made_ready();
+    let (set, n, m) = (Set::new(&mut random, &case), case.x.len(), case.u.len());
+    type Fill = fn(&Evaluator, &Points<'_>, &mut [f64], usize);
+    for isa in Isa::available() {
+        let evaluator = Evaluator::on(isa, &case.model);
+        let entries = evaluator.jacobian_entries().expect("a closed form").len();
+        let kinds: [(usize, Fill, usize); 3] = [
+            (n, Evaluator::derivatives, 41_000),
+            (n * (n + m), Evaluator::jacobians, 2_200),
+            (entries, Evaluator::sparse_jacobians, 4_200),
+        ];
+        for (rows, fill, many) in kinds {
+            let mut right = vec![0.0; rows * COUNT];
+            fill(&evaluator, &set.points(m), &mut right, 1);
+            for (count, threads, skipped) in
+                [(1, 1, 0), (5, 2, 0), (9, 1, 1), (67, 2, 0), (many, 1, 0), (many, 2, 3), (many + 3, 1, 1)]
+            {
+                let wide = |all: &[f64]| -> Vec<f64> {
+                    all.chunks_exact(COUNT).flat_map(|row| row.iter().copied().cycle().take(count)).collect()
+                };
+                let (t, x, u) = (wide(&set.t), wide(&set.x), wide(&set.u));
+                let points = Points { count, t: &t, x: &x, u: &u, inputs: m };
+                let mut room = vec![1.0; skipped + rows * count];
+                fill(&evaluator, &points, &mut room[skipped..], threads);
+                for (k, value) in room[skipped..].iter().enumerate() {
+                    let (row, point) = (k / count, k % count);
+                    let right = right[row * COUNT + point % COUNT];
+                    assert_eq!(value.to_bits(), right.to_bits(), "{isa:?} {count}: {row} {point}");
                 }
             }
         }

@@ -7,6 +7,7 @@ mod lanes;
 mod limits;
 mod linear;
 mod order;
+mod rigid;
 mod tableau;
 
 use super::{Block, ErrorScale, Lanes, Method, Stepper, System, Tolerance, differentiate};
@@ -40,7 +41,7 @@ impl<T: Lane> System<T> for Kepler {
 }
 
 impl Kepler {
-    fn law<T: Real>(y: &[T], dy: &mut [T]) {
+    pub fn law<T: Real>(y: &[T], dy: &mut [T]) {
         let r2 = y[0].fma(y[0], y[1] * y[1]);
         let pull = -T::one() / (r2 * r2.sqrt());
         (dy[0], dy[1]) = (y[2], y[3]);

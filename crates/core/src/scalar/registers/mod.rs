@@ -6,6 +6,7 @@ macro_rules! register {
      splat($sx:ident) = $splat:expr;
      load($lp:ident) = $load:expr;
      store($sp:ident, $sv:ident) = $store:expr;
+     stream($tp:ident, $tv:ident) = $stream:expr, $settle:expr;
      add($aa:ident, $ab:ident) = $add:expr;
      sub($ua:ident, $ub:ident) = $sub:expr;
      mul($ma:ident, $mb:ident) = $mul:expr;
@@ -15,7 +16,7 @@ macro_rules! register {
      sqrt($qa:ident) = $sqrt:expr;
      fma($fa:ident, $fb:ident, $fc:ident) = $fma:expr;
      select_le($ca:ident, $cb:ident, $cx:ident, $cy:ident) = $select:expr;
-     all_le($la:ident, $lb:ident) = $all:expr;
+     le($la:ident, $lb:ident) = $le:expr;
     ) => {
         $(#[$doc])*
         #[derive(Clone, Copy)]
@@ -150,14 +151,20 @@ macro_rules! register {
             }
             #[inline(always)]
             fn with(self, l: usize, x: f64) -> Self {
-                let mut all = self.array();
-                all[l] = x;
-                Self::from_array(all)
+                // Not through memory: a processor waits there for the small write to end before the large read.
+                let mut places = [0.0; $n];
+                let mut i = 0;
+                while i < $n {
+                    places[i] = i as f64;
+                    i += 1;
+                }
+                let away = (Self::from_array(places) - Self::lit(l as f64)).abs();
+                Self::select_le(away, Self::zero(), Self::lit(x), self)
             }
             #[inline(always)]
-            fn all_le(a: Self, b: Self) -> bool {
+            fn le(a: Self, b: Self) -> u32 {
                 let ($la, $lb) = (a.0, b.0);
-                unsafe { $all }
+                unsafe { $le }
             }
             #[inline(always)]
             fn from_lanes(mut f: impl FnMut(usize) -> f64) -> Self {
@@ -177,99 +184,30 @@ macro_rules! register {
             fn store(self, numbers: &mut [f64]) {
                 *numbers.first_chunk_mut().expect("as many places as lanes") = self.array();
             }
+            #[inline(always)]
+            fn stream(self, numbers: &mut [f64]) {
+                let places: &mut [f64; $n] = numbers.first_chunk_mut().expect("as many places as lanes");
+                let ($tp, $tv) = (places.as_mut_ptr(), self.0);
+                if $tp.addr() % size_of::<Self>() == 0 {
+                    unsafe { $stream }
+                } else {
+                    *places = self.array();
+                }
+            }
+            #[inline(always)]
+            fn settle() {
+                $settle
+            }
         }
     };
 }
 
-#[cfg(target_arch = "x86_64")]
-mod x86 {
-    use crate::scalar::lanes::functions;
-    use crate::scalar::{Grid, Lane, Real, Table};
-    use std::arch::x86_64::*;
-
-    register! {
-        /// Eight lanes, AVX-512.
-        Avx512(__m512d), 8, "avx512f,avx512dq,avx512vl,avx512bw,avx2,fma,bmi2", crate::scalar::Fused;
-        splat(x) = _mm512_set1_pd(x);
-        load(p) = _mm512_loadu_pd(p);
-        store(p, v) = _mm512_storeu_pd(p, v);
-        add(a, b) = _mm512_add_pd(a, b);
-        sub(a, b) = _mm512_sub_pd(a, b);
-        mul(a, b) = _mm512_mul_pd(a, b);
-        div(a, b) = _mm512_div_pd(a, b);
-        neg(a) = _mm512_xor_pd(a, _mm512_set1_pd(-0.0));
-        abs(a) = _mm512_abs_pd(a);
-        sqrt(a) = _mm512_sqrt_pd(a);
-        fma(a, b, c) = _mm512_fmadd_pd(a, b, c);
-        select_le(a, b, x, y) = _mm512_mask_blend_pd(_mm512_cmp_pd_mask::<_CMP_LE_OQ>(a, b), y, x);
-        all_le(a, b) = _mm512_cmp_pd_mask::<_CMP_LE_OQ>(a, b) == 0xff;
-    }
-
-    register! {
-        /// Four lanes, AVX2 with fused products.
-        Avx2(__m256d), 4, "avx2,fma,bmi2", crate::scalar::Fused;
-        splat(x) = _mm256_set1_pd(x);
-        load(p) = _mm256_loadu_pd(p);
-        store(p, v) = _mm256_storeu_pd(p, v);
-        add(a, b) = _mm256_add_pd(a, b);
-        sub(a, b) = _mm256_sub_pd(a, b);
-        mul(a, b) = _mm256_mul_pd(a, b);
-        div(a, b) = _mm256_div_pd(a, b);
-        neg(a) = _mm256_xor_pd(a, _mm256_set1_pd(-0.0));
-        abs(a) = _mm256_andnot_pd(_mm256_set1_pd(-0.0), a);
-        sqrt(a) = _mm256_sqrt_pd(a);
-        fma(a, b, c) = _mm256_fmadd_pd(a, b, c);
-        select_le(a, b, x, y) = _mm256_blendv_pd(y, x, _mm256_cmp_pd::<_CMP_LE_OQ>(a, b));
-        all_le(a, b) = _mm256_movemask_pd(_mm256_cmp_pd::<_CMP_LE_OQ>(a, b)) == 0b1111;
-    }
-
-    register! {
-        /// Two lanes, SSE2: every x86-64 processor. Products and sums are rounded one by one.
-        Sse2(__m128d), 2, "sse2", f64;
-        splat(x) = _mm_set1_pd(x);
-        load(p) = _mm_loadu_pd(p);
-        store(p, v) = _mm_storeu_pd(p, v);
-        add(a, b) = _mm_add_pd(a, b);
-        sub(a, b) = _mm_sub_pd(a, b);
-        mul(a, b) = _mm_mul_pd(a, b);
-        div(a, b) = _mm_div_pd(a, b);
-        neg(a) = _mm_xor_pd(a, _mm_set1_pd(-0.0));
-        abs(a) = _mm_andnot_pd(_mm_set1_pd(-0.0), a);
-        sqrt(a) = _mm_sqrt_pd(a);
-        fma(a, b, c) = _mm_add_pd(_mm_mul_pd(a, b), c);
-        select_le(a, b, x, y) = {
-            let le = _mm_cmple_pd(a, b);
-            _mm_or_pd(_mm_and_pd(le, x), _mm_andnot_pd(le, y))
-        };
-        all_le(a, b) = _mm_movemask_pd(_mm_cmple_pd(a, b)) == 0b11;
-    }
-}
-#[cfg(target_arch = "x86_64")]
-pub use x86::{Avx2, Avx512, Sse2};
-
 #[cfg(target_arch = "aarch64")]
-mod arm {
-    use crate::scalar::lanes::functions;
-    use crate::scalar::{Grid, Lane, Real, Table};
-    use std::arch::aarch64::*;
+mod arm;
+#[cfg(target_arch = "x86_64")]
+mod x86;
 
-    register! {
-        /// Two lanes, NEON with fused products: every 64-bit ARM processor.
-        Neon(float64x2_t), 2, "neon", crate::scalar::Fused;
-        splat(x) = vdupq_n_f64(x);
-        load(p) = vld1q_f64(p);
-        store(p, v) = vst1q_f64(p, v);
-        add(a, b) = vaddq_f64(a, b);
-        sub(a, b) = vsubq_f64(a, b);
-        mul(a, b) = vmulq_f64(a, b);
-        div(a, b) = vdivq_f64(a, b);
-        neg(a) = vnegq_f64(a);
-        abs(a) = vabsq_f64(a);
-        sqrt(a) = vsqrtq_f64(a);
-        fma(a, b, c) = vfmaq_f64(c, a, b);
-        select_le(a, b, x, y) = vbslq_f64(vcleq_f64(a, b), x, y);
-        all_le(a, b) = vminvq_u32(vreinterpretq_u32_u64(vcleq_f64(a, b))) == u32::MAX;
-    }
-}
 #[cfg(target_arch = "aarch64")]
 pub use arm::Neon;
+#[cfg(target_arch = "x86_64")]
+pub use x86::{Avx2, Avx512, Fused, Fused512, Sse2};
