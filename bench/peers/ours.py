@@ -12,7 +12,8 @@ from freebody import _core
 from way import Nothing, Way, decades, difference
 
 CHECKED = 100
-ADAPTIVE = ("dop853", "dp54", "rodas5p")
+ADAPTIVE = ("dop853", "vern8", "vern9", "dp54", "rodas5p")
+ORDERS_8_AND_9 = dict.fromkeys(ADAPTIVE[:3], decades(-4, -14, 16))
 WIND = (3.0, -2.0, 0.5)
 PRESSURE_CENTRE = (-0.4, 0.1, 0.05)
 
@@ -85,8 +86,8 @@ class Freebody(Nothing):
 
     def methods(self) -> Mapping[str, Iterable[float]]:
         steps = [case.SECONDS / round(300 * 1.09**k) for k in range(52)]
-        adaptive = {"dop853": decades(-4, -14, 16), "dp54": decades(-4, -14), "rodas5p": decades(-4, -14)}
-        return {**adaptive, "rk4": steps, "gauss6": steps}
+        others = dict.fromkeys(ADAPTIVE[3:], decades(-4, -14))
+        return {**ORDERS_8_AND_9, **others, "rk4": steps, "gauss6": steps}
 
     def trajectory(self, method: str, tolerance: float) -> Way:
         x, final, tolerance = truth.start(), np.empty(case.STATES), float(tolerance)
@@ -102,7 +103,7 @@ class Freebody(Nothing):
         return Way(method, statement, names, difference(truth.nominal(), lambda: final))
 
     def ensembles(self) -> Mapping[str, Iterable[float]]:
-        return {"dop853": decades(-4, -14, 16)}
+        return ORDERS_8_AND_9
 
     def ensemble(self, method: str, tolerance: float, runs: int, threads: int) -> Way:
         x, bodies = case.dispersed(runs)

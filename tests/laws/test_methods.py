@@ -12,7 +12,15 @@ from .scenes import BODY, FORMS, START, Array, motion_gap, positive_matrix
 
 SPAN = (0.0, 8.0)
 SAMPLES = np.linspace(*SPAN, 201)
-ADAPTIVE = {"dp54": 5, "dop853": 8, "rodas5p": 5}
+# The powers of the step that the estimated and the true error of a run go with, and what the terms behind the
+# first add to the first power: vern9 takes so long steps that they count.
+ADAPTIVE = {
+    "dp54": (5, 5, 0.5),
+    "dop853": (8, 8, 0.5),
+    "vern8": (7, 8, 0.5),
+    "vern9": (8, 9, 1.6),
+    "rodas5p": (5, 5, 0.5),
+}
 
 
 def smooth_model(form: Form = "quasi_velocity") -> fb.Model:
@@ -62,11 +70,12 @@ def test_error_follows_the_tolerance(exact: fb.Trajectory, method: Method, form:
     steps = np.array([run.steps for run in runs])
     # Each step may err by rtol; the motion lets that grow some tenfold.
     assert (errors <= 10 * steps * tolerances).all()
+    estimated, true, more = ADAPTIVE[method]
     slope = np.polyfit(np.log(tolerances), np.log(errors), 1)[0]
-    assert abs(slope - 1.0) <= 0.15
-    # The error of a step goes with the order of the method, the number of steps with that root of rtol.
+    assert abs(slope - true / estimated) <= 0.15
+    # The number of steps goes with that root of rtol.
     order = -1.0 / np.polyfit(np.log(tolerances), np.log(steps), 1)[0]
-    assert abs(order - ADAPTIVE[method]) <= 0.5
+    assert abs(order - estimated) <= more
 
 
 @pytest.mark.parametrize("method", ADAPTIVE)

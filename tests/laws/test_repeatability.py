@@ -29,7 +29,7 @@ def test_derivative_in_place_and_anew(chart: str, form: Form, rng: np.random.Gen
     assert np.array_equal(model.derivative(1.0, x), model.derivative(1.0, x, zeros))
 
 
-@pytest.mark.parametrize("method", ["rk4", "dp54", "dop853"])
+@pytest.mark.parametrize("method", ["rk4", "dp54", "dop853", "vern8", "vern9"])
 @pytest.mark.parametrize("chart", ["quaternion", "zyx", "zxz"])
 def test_simulation_twice(chart: str, method: Method) -> None:
     """From equal models made apart, too."""

@@ -11,7 +11,7 @@ from .scenes import BODY, FORMS, Array, motion_gap, relative
 
 SEQUENCES = fb.forms.SEQUENCES
 # rk4 has no tolerance: at this step its error over these seconds is below 1e-9.
-METHODS = {"dp54": {}, "dop853": {}, "rk4": {"step": 0.01}}
+METHODS = {"dp54": {}, "dop853": {}, "vern8": {}, "vern9": {}, "rk4": {"step": 0.01}}
 RTOL = 1e-9
 END = 9.0
 

@@ -26,7 +26,7 @@ def go(model: fb.Model, method: Method = "dop853", **settings) -> fb.Trajectory:
     return model.simulate(model.state(**START), (0.0, END), method=method, **settings)
 
 
-@pytest.mark.parametrize("method", ["rk4", "dp54", "dop853"])
+@pytest.mark.parametrize("method", ["rk4", "dp54", "dop853", "vern8", "vern9"])
 def test_steps_end_at_jumps(method: Method) -> None:
     """The run under a held table is that under one constant wrench after the other, to rounding."""
     settings = {"rtol": 1e-10, "method": method, "step": 0.07 if method == "rk4" else None}

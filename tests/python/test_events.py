@@ -10,7 +10,7 @@ from freebody import results
 from freebody.errors import InputError
 
 G = 9.80665
-METHODS = [("dop853", None), ("dp54", None), ("rk4", 0.01)]
+METHODS = [("dop853", None), ("vern8", None), ("vern9", None), ("dp54", None), ("rk4", 0.01)]
 
 
 @fb.event(direction="rising")

@@ -243,7 +243,7 @@ WORDS: dict[str, tuple[str, str, Call]] = {
     ),
     "Model attitude": ("attitude", "'quaternion', 'zxz', .*, 'yxz'", lambda v: fb.Model(BODY, (), v)),
     "Model form": ("form", "'quasi_velocity', 'generalized'", lambda v: fb.Model(BODY, form=v)),
-    "simulate method": ("method", "'dop853', 'dp54', 'rk4'", lambda v: simulate(method=v)),
+    "simulate method": ("method", "'dop853', 'vern8', 'vern9', 'dp54'", lambda v: simulate(method=v)),
 }
 WRONG_WORDS = ["ZYX", "zyy", "Body", "cubic", "rk45", "", b"zyx", 1, None, ["zyx"], np.array(["zyx"]), ZEROS]
 
@@ -539,6 +539,25 @@ def test_the_state_will_do_as_out() -> None:
     assert np.array_equal(x, MODEL.derivative(0.0, X))
 
 
+def test_state_and_rate_may_share_memory() -> None:
+    room = np.zeros(14)
+    room[:13] = X
+    MODEL.derivative(0.0, room[:13], out=room[1:])
+    assert np.array_equal(room[1:], MODEL.derivative(0.0, X))
+
+
+@pytest.mark.parametrize("bad", [np.nan, np.inf, -np.inf])
+@pytest.mark.parametrize("k", range(13))
+def test_no_number_of_the_state_goes_unseen(k: int, bad: float) -> None:
+    """Nor one that the derivative does not depend on, the position's."""
+    x, out = X.copy(), np.arange(13.0)
+    x[k] = bad
+    for state in (x, x.tolist()):
+        with pytest.raises(fb.InputError, match="x"):
+            MODEL.derivative(0.0, state, out=out)
+    assert np.array_equal(out, np.arange(13.0))
+
+
 def test_an_error_loses_nothing() -> None:
     x, u = X.copy(), np.zeros(6)
     x[5] = np.nan
@@ -549,6 +568,10 @@ def test_an_error_loses_nothing() -> None:
             MODEL.derivative(*bad, out=out)
         with pytest.raises(fb.InputError):
             MODEL.jacobian(*bad, out=pair)
+    too_fast = X.copy()
+    too_fast[10:] = 1e200
+    with pytest.raises(fb.NonFiniteError):
+        MODEL.derivative(0.0, too_fast, out=out)
     at_center = fb.Model(BODY, [fb.PointMassGravity(1.0, center=BODY.com, name="sun")])
     with pytest.raises(fb.NonFiniteError):
         at_center.derivative(0.0, X, out=out)

@@ -19,13 +19,19 @@ use std::borrow::Cow;
 /// One finite number. A truth value, an int to Python, is none.
 #[inline]
 pub fn number(name: &str, value: &Bound<'_, PyAny>) -> PyResult<f64> {
-    if value.is_exact_instance_of::<PyFloat>()
-        && let Ok(x) = value.extract::<f64>()
-        && x.is_finite()
-    {
-        return Ok(x);
+    match plain_number(value) {
+        Some(x) => Ok(x),
+        None => other_number(name, value),
     }
-    other_number(name, value)
+}
+
+/// The same of what is a float and nothing else.
+#[inline]
+pub fn plain_number(value: &Bound<'_, PyAny>) -> Option<f64> {
+    if !value.is_exact_instance_of::<PyFloat>() {
+        return None;
+    }
+    value.extract::<f64>().ok().filter(|x| x.is_finite())
 }
 
 #[cold]
@@ -40,12 +46,12 @@ fn other_number(name: &str, value: &Bound<'_, PyAny>) -> PyResult<f64> {
     value.py().import("freebody._check")?.call_method1("number", (name, value))?.extract()
 }
 
-/// Whether a few numbers are finite.
+/// Whether numbers are finite; few are best taken by four, many by sixteen.
 #[inline]
-pub fn are_finite(numbers: &[f64]) -> bool {
-    // By their sums, for what is not, is not zero times zero either; the parts are one register each.
-    let (parts, rest) = numbers.as_chunks::<4>();
-    let mut sums = [0.0; 4];
+pub fn are_finite<const WIDTH: usize>(numbers: &[f64]) -> bool {
+    // By their sums, for what is not, is not zero times zero either; the parts are registers.
+    let (parts, rest) = numbers.as_chunks::<WIDTH>();
+    let mut sums = [0.0; WIDTH];
     for part in parts {
         for (sum, v) in sums.iter_mut().zip(part) {
             *sum += v * 0.0;
@@ -53,18 +59,6 @@ pub fn are_finite(numbers: &[f64]) -> bool {
     }
     let sum: f64 = sums.iter().chain(rest).map(|v| v * 0.0).sum();
     sum == 0.0
-}
-
-/// Whether many numbers are finite.
-pub fn all_are_finite(numbers: &[f64]) -> bool {
-    let (parts, rest) = numbers.as_chunks::<16>();
-    let mut sums = [0.0; 16];
-    for part in parts {
-        for (sum, v) in sums.iter_mut().zip(part) {
-            *sum += v * 0.0;
-        }
-    }
-    are_finite(&sums) && are_finite(rest)
 }
 
 /// The addresses of NumPy's type of arrays and of its type of doubles in the order of this machine.
@@ -120,6 +114,12 @@ fn plain<'a>(value: &'a Bound<'_, PyAny>) -> Option<Numbers<'a>> {
     Some(Numbers { first: fields.data.cast(), shape, flags: fields.flags })
 }
 
+/// The `n` numbers of a plain array, finite or not.
+#[inline]
+pub fn plain_vector<'a>(value: &'a Bound<'_, PyAny>, n: usize) -> Option<&'a [f64]> {
+    plain(value).filter(|numbers| numbers.has_shape(&[n])).map(Numbers::slice)
+}
+
 /// The `n` finite numbers of a contiguous array of doubles; anything else goes through `freebody._check.vector`, which
 /// converts it or raises the error that says what is allowed.
 ///
@@ -128,7 +128,7 @@ fn plain<'a>(value: &'a Bound<'_, PyAny>) -> Option<Numbers<'a>> {
 pub fn read<'a>(name: &str, value: &'a Bound<'_, PyAny>, n: usize) -> PyResult<Cow<'a, [f64]>> {
     if let Some(numbers) = plain(value)
         && numbers.has_shape(&[n])
-        && are_finite(numbers.slice())
+        && are_finite::<4>(numbers.slice())
     {
         return Ok(Cow::Borrowed(numbers.slice()));
     }
@@ -191,6 +191,25 @@ impl Room {
         Err(refusal(name, out, Some(shape)))
     }
 
+    /// Has a plain array (n,) filled by `f` from numbers with which it shares nothing; none of anything else.
+    #[inline]
+    pub fn fill<R>(
+        out: &Bound<'_, PyAny>,
+        n: usize,
+        from: [&[f64]; 2],
+        f: impl FnOnce([&[f64]; 2], &mut [f64]) -> R,
+    ) -> Option<R> {
+        let Numbers { first, flags, .. } = plain(out).filter(|numbers| numbers.has_shape(&[n]))?;
+        let (start, end) = (first.cast_const(), first.wrapping_add(n).cast_const());
+        let shared = from.iter().any(|from| from.as_ptr() < end && start < from.as_ptr_range().end);
+        if shared || flags & NPY_ARRAY_WRITEABLE == 0 {
+            return None;
+        }
+        // SAFETY: as many aligned doubles have room there, none of which is read; the interpreter is held, and nothing
+        // of Python's runs while they are written.
+        Some(f(from, unsafe { std::slice::from_raw_parts_mut(first, n) }))
+    }
+
     /// Fills it.
     pub fn write(self, numbers: &[f64]) {
         assert_eq!(numbers.len(), self.count);
@@ -218,7 +237,7 @@ fn flags(array: &Bound<'_, PyArrayDyn<f64>>) -> i32 {
 /// else.
 #[pyfunction]
 pub fn frozen<'py>(value: &Bound<'py, PyAny>) -> PyResult<Option<Bound<'py, PyAny>>> {
-    let usual = plain(value).is_some_and(|numbers| numbers.count() > 0 && all_are_finite(numbers.slice()));
+    let usual = plain(value).is_some_and(|numbers| numbers.count() > 0 && are_finite::<16>(numbers.slice()));
     usual.then(|| frozen_copy(value)).transpose()
 }
 

@@ -1,8 +1,9 @@
 //! f(x, u, t), its Jacobians and the wrench at single states.
 
-use crate::arguments::{Room, all_are_finite, are_finite, matrix, number, read, refusal};
+use crate::arguments::{Room, are_finite, matrix, number, plain_number, plain_vector, read, refusal};
 use crate::model::Model;
 use freebody_core::buffer::Buffer;
+use freebody_core::phase_space::STATES;
 use freebody_core::screw::Screw;
 use numpy::PyArray1;
 use pyo3::IntoPyObjectExt;
@@ -45,6 +46,31 @@ impl Model {
             (state, input) = (state.into_owned().into(), input.into_owned().into());
         }
         f(t, &state, &input)
+    }
+}
+
+impl Model {
+    /// The derivative of a plain body at plain arrays, if all is as it should be: the questions that `Model::at` asks
+    /// first are asked with the answer. None otherwise.
+    #[inline]
+    fn plain_derivative<'py>(
+        &self,
+        (t, x, u): Given<'_, 'py>,
+        out: Option<&Bound<'py, PyAny>>,
+    ) -> Option<Bound<'py, PyAny>> {
+        plain_number(t)?;
+        let x = plain_vector(x, self.states)?;
+        let u = match u {
+            Some(u) => plain_vector(u, self.inputs)?,
+            None => &[],
+        };
+        if let Some(out) = out {
+            let f = |[x, u]: [&[f64]; 2], rate: &mut [f64]| self.evaluator.plain_derivative(x, u, rate);
+            return Room::fill(out, self.states, [x, u], f)?.then(|| out.clone());
+        }
+        let mut rate = [0.0; STATES];
+        let done = self.evaluator.plain_derivative(x, u, &mut rate);
+        done.then(|| PyArray1::from_slice(t.py(), &rate).into_any())
     }
 }
 
@@ -91,11 +117,14 @@ impl Model {
         u: Option<&Bound<'py, PyAny>>,
         out: Option<&Bound<'py, PyAny>>,
     ) -> PyResult<Bound<'py, PyAny>> {
+        if let Some(rate) = self.plain_derivative((t, x, u), out) {
+            return Ok(rate);
+        }
         self.at((t, x, u), |t, x, u| {
             let mut room = Buffer::<f64, ON_STACK>::new(self.states);
             let rate = room.slice();
             self.calling(|| self.evaluator.derivative(t, x, u, rate))?;
-            if !are_finite(rate) || self.is_singular(x) {
+            if !are_finite::<4>(rate) || self.is_singular(x) {
                 return Err(self.diagnose(py, t, x, u));
             }
             let Some(out) = out else { return Ok(PyArray1::from_slice(py, rate).into_any()) };
@@ -123,7 +152,7 @@ impl Model {
             all.resize(n * (n + m), 0.0);
             let (a, b) = all.split_at_mut(n * n);
             self.evaluator.jacobian(t, x, u, a, b);
-            if !(all_are_finite(a) && all_are_finite(b)) || self.is_singular(x) {
+            if !(are_finite::<16>(a) && are_finite::<16>(b)) || self.is_singular(x) {
                 return Err(self.diagnose(py, t, x, u));
             }
             let result = match out {

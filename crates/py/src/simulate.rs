@@ -129,6 +129,8 @@ pub fn method_name(name: &str) -> MethodName {
     match name {
         "rk4" => MethodName::Rk4,
         "dp54" => MethodName::Dp54,
+        "vern8" => MethodName::Vern8,
+        "vern9" => MethodName::Vern9,
         "rodas5p" => MethodName::Rodas,
         "gauss6" => MethodName::Gauss,
         _ => MethodName::Dop853,

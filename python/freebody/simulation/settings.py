@@ -15,7 +15,7 @@ from freebody.errors import InputError
 
 __all__ = ["FIXED_STEP", "METHODS", "Method", "Settings", "checked_settings"]
 
-Method = Literal["dop853", "dp54", "rk4", "rodas5p", "gauss6"]
+Method = Literal["dop853", "vern8", "vern9", "dp54", "rk4", "rodas5p", "gauss6"]
 METHODS: tuple[str, ...] = get_args(Method)
 FIXED_STEP = ("rk4", "gauss6")
 

@@ -52,7 +52,8 @@ def simulate(
         Start and end, s.
     method
         "dop853", "dp54": Dormand-Prince 8(5,3) and 5(4), adaptive. "rk4": classical, fixed step. (Hairer,
-        Nørsett, Wanner, Solving ODEs I, 2nd ed., II.1, II.5.) "rodas5p": for stiff forces, adaptive
+        Nørsett, Wanner, Solving ODEs I, 2nd ed., II.1, II.5.) "vern8", "vern9": fewer evaluations,
+        adaptive (Verner, Numer. Algorithms 53, 2010). "rodas5p": for stiff forces, adaptive
         (Steinebach, BIT 63, 2023). "gauss6": fixed step, keeps the energy of free motion (Hairer, Lubich,
         Wanner, Geometric Numerical Integration, 2nd ed., IV.2).
     rtol, atol

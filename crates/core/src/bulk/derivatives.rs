@@ -56,7 +56,7 @@ impl<L: Lane> Kernel<L, STATES> for Rate<'_, L> {
     #[inline(always)]
     fn at(&self, _: L, x: &[L; STATES], u: &[L], out: &mut impl Places<L>) {
         let mut rate = [L::zero(); STATES];
-        self.body.plain_rate_under(self.usual, x, u, &mut rate);
+        self.body.plain_rate_under::<true>(self.usual, x, u, &mut rate);
         let mut k = 0;
         while k < STATES {
             out.put(k, rate[k]);

@@ -12,7 +12,7 @@ mod worker;
 
 pub use rows::{Ended, Rows};
 
-use crate::integrators::{Dop853, Dp54, Gauss6, Rk4, Rodas5P, Tolerance};
+use crate::integrators::{Dop853, Dp54, Gauss6, Rk4, Rodas5P, Tolerance, Vern8, Vern9};
 use crate::phase_space::FreeBody;
 use crate::scalar::isa::{Isa, with_lanes};
 use crate::simulate::{Inputs, MethodName};
@@ -76,6 +76,8 @@ pub fn run_on(isa: Isa, batch: &Batch<'_>, caller: Caller<'_>) -> Option<Rows> {
             MethodName::Rk4 => Worker::<T, Rk4>::new(&setup, &queue).work(report),
             MethodName::Dp54 => Worker::<T, Dp54>::new(&setup, &queue).work(report),
             MethodName::Dop853 => Worker::<T, Dop853>::new(&setup, &queue).work(report),
+            MethodName::Vern8 => Worker::<T, Vern8>::new(&setup, &queue).work(report),
+            MethodName::Vern9 => Worker::<T, Vern9>::new(&setup, &queue).work(report),
             MethodName::Rodas => Worker::<T, Rodas5P>::new(&setup, &queue).work(report),
             MethodName::Gauss => Worker::<T, Gauss6>::new(&setup, &queue).work(report),
         })

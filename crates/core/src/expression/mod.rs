@@ -3,9 +3,12 @@
 mod choose;
 mod collect;
 mod derivative;
+mod execute;
 mod fingerprint;
 mod fold;
 mod graph;
+#[cfg(target_arch = "x86_64")]
+mod native;
 mod node;
 mod order;
 mod print;
@@ -23,5 +26,5 @@ pub use node::{Id, Node, Operation};
 pub use order::OperationCount;
 pub use print::{Function, Group, Language, Left, Line, Output, latex};
 pub use program::{Program, ProgramError};
-pub use registers::Values;
+pub use registers::{Piece, Row, Values};
 pub use scalar::Expression;

@@ -1,8 +1,10 @@
 //! Expressions made ready to run over numbers, lanes and duals.
 
 use super::graph::Graph;
+#[cfg(target_arch = "x86_64")]
+use super::native::Cache;
 use super::node::{Id, Operation};
-use super::registers::Values;
+use super::registers::{Piece, Values};
 use super::tape::{Tables, Tape};
 use crate::scalar::Real;
 use serde::{Deserialize, Serialize};
@@ -17,6 +19,9 @@ pub struct Program {
     preparation: Tape,
     main: Tape,
     tables: Tables,
+    #[cfg(target_arch = "x86_64")]
+    #[serde(skip)]
+    native: Cache,
 }
 
 /// Why expressions make no program.
@@ -72,6 +77,8 @@ impl Program {
                 grids: graph.grids.clone(),
                 lattices: graph.lattices.clone(),
             },
+            #[cfg(target_arch = "x86_64")]
+            native: Cache::default(),
         };
         debug_assert!(made.is_sound());
         Ok(made)
@@ -87,14 +94,22 @@ impl Program {
         self.main.given
     }
 
-    /// Whether a result depends on given number `i`.
-    pub fn reads(&self, i: usize) -> bool {
-        self.main.reads(i)
+    /// For each given number whether a result depends on it.
+    pub fn reads(&self) -> Vec<bool> {
+        let mut read = self.main.read_values();
+        read.truncate(self.main.given);
+        read
     }
 
     /// How many results it has.
     pub fn output_count(&self) -> usize {
         self.main.results.len()
+    }
+
+    /// Whether there is machine code of it for values of this type, which are given in pieces of these lengths.
+    #[cfg(all(test, target_arch = "x86_64"))]
+    pub(super) fn is_native<T: Real, const P: usize>(&self, lengths: [usize; P]) -> bool {
+        self.native.of::<T, P>(&self.main, &self.tables, || lengths).is_some()
     }
 
     /// How many instructions a run takes.
@@ -127,18 +142,26 @@ impl Program {
         self.main.run(prepared, &self.tables, given, out);
     }
 
-    /// Adds to the given numbers all that is computed of them: the quick way.
+    /// Computes the results of numbers that are given in pieces of these lengths, which are the same at every run: the
+    /// quick way, in machine code where there is some. Of a piece only what the program reads has to be there.
     ///
-    /// Call inside [`Real::call`].
+    /// Call where `T` is at home, inside [`Real::call`].
     #[inline(always)]
-    pub fn run_on<T: Real>(&self, values: &mut Values<T>, prepared: &[T]) {
-        self.main.run_on(values, prepared, &self.tables);
-    }
-
-    /// Result number `k` of a run.
-    #[inline(always)]
-    pub fn result<T: Real>(&self, values: &Values<T>, k: usize) -> T {
-        values.get(self.main.results[k])
+    pub fn run_in<T: Real, const P: usize>(
+        &self,
+        values: &mut Values<T>,
+        given: [Piece<'_, T>; P],
+        lengths: impl Fn() -> [usize; P],
+        prepared: &[T],
+    ) {
+        #[cfg(target_arch = "x86_64")]
+        if let Some(native) = self.native.of::<T, P>(&self.main, &self.tables, &lengths) {
+            return native.run(values, &given, prepared, &self.tables);
+        }
+        T::call(
+            #[inline(always)]
+            || self.main.run_in(values, given, lengths(), prepared, &self.tables),
+        );
     }
 
     /// Whether a program that comes from elsewhere reads only what is there.

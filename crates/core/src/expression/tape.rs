@@ -1,12 +1,14 @@
 //! A list of instructions over registers: what a computer runs instead of a graph.
 //!
-//! Instructions of one code stand together in runs, and those of one run do not depend on each other: so the
+//! Instructions of one code stand together in runs, and those of one run seldom depend on each other: so the
 //! choice of the code is made once a run, and a processor works on several instructions at the same time.
 
+use super::execute::execute;
 use super::node::Operation;
-use super::registers::{Registers, SMALL, Values};
+use super::registers::{Piece, Values};
 use crate::scalar::{Elementary, Grid, Lattice, Real, Table};
 use serde::{Deserialize, Serialize};
+use std::mem::MaybeUninit;
 
 /// What an instruction does with its operands a, b, c, d.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord, Serialize, Deserialize)]
@@ -46,13 +48,18 @@ pub(super) enum Code {
 
 impl Code {
     /// How many operands it works on.
-    fn arity(self) -> usize {
+    pub fn arity(self) -> usize {
         match self {
             Self::Neg | Self::Sqrt | Self::Abs | Self::SinCos | Self::Elementary(_) | Self::Lookup(_) => 1,
             Self::Add | Self::Sub | Self::Mul | Self::Div | Self::Atan2 | Self::Pow | Self::Lookup2(_) => 2,
             Self::MulAdd | Self::MulSub | Self::NegMulAdd | Self::Mul3 | Self::Add3 | Self::Lookup3(_) => 3,
             Self::MulMulAdd | Self::MulMulSub | Self::SelectLe | Self::Lookup4(_) => 4,
         }
+    }
+
+    /// How many results it has.
+    pub fn results(self) -> usize {
+        if self == Self::SinCos { 2 } else { 1 }
     }
 
     /// How long its result takes, roughly, in units of a short one's half.
@@ -128,7 +135,7 @@ impl Tape {
                 if operands[..code.arity()].iter().any(|i| usize::from(*i) >= values) {
                     return false;
                 }
-                values += if *code == Code::SinCos { 2 } else { 1 };
+                values += code.results();
             }
             let known = match code {
                 Code::Lookup(n) => (*n as usize) < tables.tables.len(),
@@ -145,138 +152,89 @@ impl Tape {
         instructions.next().is_none() && values == usize::from(self.values) && results
     }
 
-    /// Whether an instruction or a result is value `i`.
-    pub fn reads(&self, i: usize) -> bool {
-        let is = |number: &u16| usize::from(*number) == i;
+    /// For each value whether an instruction or a result is it.
+    pub fn read_values(&self) -> Vec<bool> {
+        let mut read = vec![false; usize::from(self.values)];
         let mut instructions = self.instructions.iter();
-        let worked_on = self.runs.iter().any(|(code, count)| {
-            let mut run = instructions.by_ref().take(*count);
-            run.any(|operands| operands[..code.arity()].iter().any(is))
-        });
-        worked_on || self.results.iter().any(is)
+        for (code, count) in &self.runs {
+            for operands in instructions.by_ref().take(*count) {
+                for i in &operands[..code.arity()] {
+                    read[usize::from(*i)] = true;
+                }
+            }
+        }
+        for i in &self.results {
+            read[usize::from(*i)] = true;
+        }
+        read
     }
 
     /// Writes the results for the given numbers.
     #[inline(always)]
     pub fn run<T: Real>(&self, constants: &[T], tables: &Tables, given: &[T], out: &mut [T]) {
-        let mut values = Vec::with_capacity(usize::from(self.values));
-        values.extend_from_slice(given);
-        self.go(&mut values, given.len(), constants, tables);
+        let mut places = Vec::new();
+        places.resize_with(usize::from(self.values), MaybeUninit::uninit);
+        self.go(&mut places, [Piece::of(given)], [given.len()], constants, tables);
         for (o, i) in out.iter_mut().zip(&self.results) {
-            *o = values[usize::from(*i)];
+            // SAFETY: `go` has written all values.
+            *o = unsafe { places[usize::from(*i)].assume_init() };
         }
     }
 
-    /// Adds all that is computed to the given numbers; the results are among it.
+    /// Computes the results of what is given in pieces of these lengths.
     #[inline(always)]
-    pub fn run_on<T: Real>(&self, values: &mut Values<T>, constants: &[T], tables: &Tables) {
-        let count = if usize::from(self.values) <= SMALL {
-            let (places, given) = values.on_stack();
-            self.go(places, given, constants, tables)
-        } else {
-            let (places, given) = values.on_heap(usize::from(self.values));
-            self.go(places, given, constants, tables)
-        };
-        // SAFETY: `go` has put so many.
-        unsafe { values.now(count) };
-    }
-
-    /// Runs behind the `given` values; how many values there are then.
-    #[inline(always)]
-    fn go<T: Real, R: Registers<T>>(
+    pub fn run_in<T: Real, const P: usize>(
         &self,
-        r: &mut R,
-        given: usize,
+        values: &mut Values<T>,
+        given: [Piece<'_, T>; P],
+        lengths: [usize; P],
         constants: &[T],
         tables: &Tables,
-    ) -> usize {
-        assert_eq!(given, self.given, "the numbers that this program is given");
+    ) {
+        let (count, results) = (usize::from(self.values), self.results.len());
+        let places = values.places(count + results);
+        self.go(places, given, lengths, constants, tables);
+        for (k, i) in self.results.iter().enumerate() {
+            places[count + k] = places[usize::from(*i)];
+        }
+        // SAFETY: the values that stand there are among those that `go` has written.
+        unsafe { values.now(count..count + results) };
+    }
+
+    /// Writes all values.
+    #[inline(always)]
+    fn go<T: Real, const P: usize>(
+        &self,
+        places: &mut [MaybeUninit<T>],
+        given: [Piece<'_, T>; P],
+        lengths: [usize; P],
+        constants: &[T],
+        tables: &Tables,
+    ) {
+        assert_eq!(lengths.iter().sum::<usize>(), self.given, "the numbers that this program is given");
         assert_eq!(constants.len(), self.constants, "the numbers that were prepared for this program");
-        r.put_all(given, constants);
-        let mut n = given + constants.len();
-        // SAFETY (of both): `given` values and the constants have been put, each `put` adds one to `n`, and a sound
-        // tape, as all are, has room for its values and reads only what is there.
-        macro_rules! get {
-            ($i:expr) => {
-                unsafe { r.get($i, n) }
-            };
+        let mut n = 0;
+        for (numbers, length) in given.into_iter().zip(lengths) {
+            let (there, missing) = places[n..n + length].split_at_mut(numbers.len());
+            for (place, x) in there.iter_mut().zip(numbers.slice()) {
+                place.write(*x);
+            }
+            // What is not read may be missing.
+            for place in missing {
+                place.write(T::zero());
+            }
+            n += length;
         }
-        macro_rules! put {
-            ($n:expr, $x:expr) => {{
-                let x = $x;
-                unsafe { r.put($n, x) }
-            }};
+        for (place, x) in places[n..n + constants.len()].iter_mut().zip(constants) {
+            place.write(*x);
         }
+        n += constants.len();
         let mut rest = &self.instructions[..];
         for (code, count) in &self.runs {
             let (now, later) = rest.split_at(*count);
             rest = later;
-            macro_rules! each {
-                ($a:ident => $result:expr) => {
-                    for i in now {
-                        let $a = get!(i[0]);
-                        put!(n, $result);
-                        n += 1;
-                    }
-                };
-                ($a:ident, $b:ident => $result:expr) => {
-                    for i in now {
-                        let ($a, $b) = (get!(i[0]), get!(i[1]));
-                        put!(n, $result);
-                        n += 1;
-                    }
-                };
-                ($a:ident, $b:ident, $c:ident => $result:expr) => {
-                    for i in now {
-                        let ($a, $b, $c) = (get!(i[0]), get!(i[1]), get!(i[2]));
-                        put!(n, $result);
-                        n += 1;
-                    }
-                };
-                ($a:ident, $b:ident, $c:ident, $d:ident => $result:expr) => {
-                    for i in now {
-                        let ($a, $b) = (get!(i[0]), get!(i[1]));
-                        let ($c, $d) = (get!(i[2]), get!(i[3]));
-                        put!(n, $result);
-                        n += 1;
-                    }
-                };
-            }
-            match code {
-                Code::MulMulAdd => each!(a, b, c, d => a.fma(b, c * d)),
-                Code::MulMulSub => each!(a, b, c, d => a.fma(b, -(c * d))),
-                Code::Mul3 => each!(a, b, c => a * b * c),
-                Code::Add3 => each!(a, b, c => a + b + c),
-                Code::MulAdd => each!(a, b, c => a.fma(b, c)),
-                Code::MulSub => each!(a, b, c => a.fma(b, -c)),
-                Code::NegMulAdd => each!(a, b, c => (-a).fma(b, c)),
-                Code::Add => each!(a, b => a + b),
-                Code::Sub => each!(a, b => a - b),
-                Code::Mul => each!(a, b => a * b),
-                Code::Div => each!(a, b => a / b),
-                Code::Neg => each!(a => -a),
-                Code::Sqrt => each!(a => a.sqrt()),
-                Code::Abs => each!(a => a.abs()),
-                Code::SinCos => {
-                    for i in now {
-                        let (s, c) = get!(i[0]).sin_cos();
-                        put!(n, s);
-                        put!(n + 1, c);
-                        n += 2;
-                    }
-                }
-                Code::Elementary(f) => each!(a => a.elementary(*f)),
-                Code::Atan2 => each!(a, b => a.atan2(b)),
-                Code::Pow => each!(a, b => a.pow(b)),
-                Code::SelectLe => each!(a, b, x, y => T::select_le(a, b, x, y)),
-                Code::Lookup(n) => each!(a => a.lookup(&tables.tables[*n as usize])),
-                Code::Lookup2(n) => each!(a, b => a.lookup_2(b, &tables.grids[*n as usize])),
-                Code::Lookup3(n) => each!(a, b, c => T::lookup_n(&[a, b, c], &tables.lattices[*n as usize])),
-                Code::Lookup4(n) => {
-                    each!(a, b, c, d => T::lookup_n(&[a, b, c, d], &tables.lattices[*n as usize]));
-                }
-            }
+            // SAFETY: a sound tape, as all are, has room for its values and reads only what is there.
+            n = unsafe { execute(*code, now, n, places, tables) };
         }
-        n
     }
 }

@@ -21,7 +21,7 @@ pub use damping::{Coefficients, LinearDamping, QuadraticDamping};
 pub use gravity::UniformGravity;
 pub use harmonics::{Field, HarmonicGravity, Harmonics};
 pub use input::InputWrench;
-pub use places::{Places, Source};
+pub use places::{Places, Seen, Source};
 pub use point_mass::PointMassGravity;
 pub use tabulated::TabulatedWrench;
 pub use traced::{Callback, Traced};

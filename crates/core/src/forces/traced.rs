@@ -1,9 +1,9 @@
 //! Laws that users write: as programs that run over every scalar, or as functions compiled elsewhere.
 
+use super::places::{Reads, Seen};
 use super::wrench::about_com;
 use super::{Places, Situation, Source};
-use crate::algebra::Vec3;
-use crate::expression::{Expression, Graph, Id, Program, Simplify, Values};
+use crate::expression::{Expression, Graph, Id, Piece, Program, Simplify, Values};
 use crate::scalar::{Block, Real};
 use crate::screw::Screw;
 use std::sync::Arc;
@@ -17,6 +17,7 @@ pub struct Traced<T> {
     program: Arc<Program>,
     parameters: Vec<T>,
     prepared: Vec<T>,
+    reads: Reads,
     /// Where the law finds its inputs and states.
     pub places: Places,
 }
@@ -28,7 +29,13 @@ impl<T: Real> Traced<T> {
         debug_assert_eq!(program.parameter_count(), parameters.len());
         debug_assert_eq!(program.given_count(), places.given_count());
         let prepared = program.prepare(&parameters);
-        Self { program, parameters, prepared, places }
+        let (all, mut start) = (program.reads(), 0);
+        let mut reads = Reads::default();
+        for (read, length) in reads.iter_mut().zip(places.lengths()) {
+            *read = all[start..start + length].contains(&true);
+            start += length;
+        }
+        Self { program, parameters, prepared, reads, places }
     }
 
     /// The values of its parameters.
@@ -43,22 +50,26 @@ impl<T: Real> Traced<T> {
 
     /// Whether the law depends on the position.
     pub fn reads_position(&self) -> bool {
-        Places::POSITION.clone().any(|i| self.program.reads(i))
+        self.reads[1]
     }
 
     /// Everything that the law computes; the rates of its states are written to their places among all of them.
-    ///
-    /// Only the values cross into code of its own: a copy of what the law sees would cost as much as some laws.
     #[inline(always)]
-    fn run(&self, s: &Situation<'_, T>, values: &mut Values<T>, rates: &mut [T]) {
-        self.places.write(s, values);
-        T::call(
+    pub fn run(&self, s: &Situation<'_, T>, seen: &mut Seen<'_, T>, values: &mut Values<T>, rates: &mut [T]) {
+        seen.write(s, self.reads, &self.places.inputs);
+        let [time, position, rotation, twist, body, inputs] = seen.pieces().map(Piece::of);
+        let states = Piece::of(&s.states[self.places.states.clone()]);
+        let given = [time, position, rotation, twist, body, inputs, states];
+        self.program.run_in(
+            values,
+            given,
             #[inline(always)]
-            || self.program.run_on(values, &self.prepared),
+            || self.places.lengths(),
+            &self.prepared,
         );
-        let first = self.result_count();
-        for (k, rate) in rates[self.places.states.clone()].iter_mut().enumerate() {
-            *rate = self.program.result(values, first + k);
+        let rates = &mut rates[self.places.states.clone()];
+        if !rates.is_empty() {
+            rates.copy_from_slice(&values.results()[self.result_count()..]);
         }
     }
 
@@ -66,41 +77,37 @@ impl<T: Real> Traced<T> {
     #[inline(always)]
     pub fn command(&self, s: &Situation<'_, T>, commands: &mut [T], rates: &mut [T]) {
         let mut values = Values::empty();
-        self.run(s, &mut values, rates);
-        for (k, command) in commands.iter_mut().enumerate() {
-            *command = self.program.result(&values, k);
-        }
+        self.run(s, &mut Seen::new(None), &mut values, rates);
+        commands.copy_from_slice(&values.results()[..commands.len()]);
     }
 
     /// All results of a law without states.
     #[inline(always)]
     pub fn results<const N: usize>(&self, s: &Situation<'_, T>) -> [T; N] {
         let mut values = Values::empty();
-        self.run(s, &mut values, &mut []);
-        let mut all = [T::zero(); N];
-        for (k, result) in all.iter_mut().enumerate() {
-            *result = self.program.result(&values, k);
-        }
-        all
+        self.run(s, &mut Seen::new(None), &mut values, &mut []);
+        *values.results().first_chunk().expect("as many as the law has")
     }
 
     /// The one result of a law without states.
     #[inline(always)]
     pub fn value(&self, s: &Situation<'_, T>) -> T {
-        let mut values = Values::empty();
-        self.run(s, &mut values, &mut []);
-        self.program.result(&values, 0)
+        let [value] = self.results(s);
+        value
     }
 
     /// The wrench about the mass centre; the rates of its states are written.
     #[inline(always)]
     pub fn about_com(&self, s: &Situation<'_, T>, rates: &mut [T]) -> Screw<T> {
         let mut values = Values::empty();
-        self.run(s, &mut values, rates);
-        let p = &self.program;
-        let force = Vec3::new(p.result(&values, 0), p.result(&values, 1), p.result(&values, 2));
-        let moment = Vec3::new(p.result(&values, 3), p.result(&values, 4), p.result(&values, 5));
-        about_com(Screw::new(force, moment), s)
+        self.run(s, &mut Seen::new(None), &mut values, rates);
+        self.wrench(&values, s)
+    }
+
+    /// The wrench about the mass centre that a run has computed.
+    #[inline(always)]
+    pub fn wrench(&self, values: &Values<T>, s: &Situation<'_, T>) -> Screw<T> {
+        about_com(Screw::from_slice(values.results()), s)
     }
 
     /// Several force laws as one, which gives the sum of their wrenches; none if it were too long for one program.
@@ -116,7 +123,7 @@ impl<T: Real> Traced<T> {
         inputs.sort_unstable();
         inputs.dedup();
         let places = Places { inputs, states: first..end };
-        if places.given_count() > Values::<f64>::ROOM {
+        if places.inputs.len() + places.states.len() > Places::ROOM {
             return None;
         }
         let parameters: Vec<f64> = laws.iter().flat_map(|law| law.parameters.iter().copied()).collect();
@@ -162,7 +169,9 @@ impl<T: Real> Traced<T> {
         for p in &self.parameters {
             parameters.push(f(*p));
         }
-        Traced::new(self.program.clone(), parameters, self.places.clone())
+        let prepared = self.program.prepare(&parameters);
+        let (program, places) = (self.program.clone(), self.places.clone());
+        Traced { program, parameters, prepared, reads: self.reads, places }
     }
 }
 
@@ -179,9 +188,9 @@ impl Callback {
     /// The wrench about the mass centre; not a number over scalars that are more than numbers.
     #[inline(always)]
     pub fn about_com<T: Real>(&self, s: &Situation<'_, T>) -> Screw<T> {
-        let mut given = Vec::with_capacity(self.places.given_count());
-        given.extend(Places::motion(s));
-        given.extend(self.places.inputs.iter().map(|source| source.read(s)));
+        let mut seen = Seen::new(None);
+        seen.write(s, [true; 5], &self.places.inputs);
+        let given = seen.pieces().concat();
         let mut wrench = [T::lit(f64::NAN); 6];
         T::outside(&*self.block, &given, &mut wrench);
         about_com(Screw::from_slice(&wrench), s)

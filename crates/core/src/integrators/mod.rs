@@ -26,6 +26,8 @@ mod stepper;
 mod sums;
 #[cfg(test)]
 mod tests;
+mod vern8;
+mod vern9;
 
 use crate::scalar::Lane;
 pub use dop853::Dop853;
@@ -38,6 +40,8 @@ pub use rk4::Rk4;
 pub use rodas5p::Rodas5P;
 pub(crate) use stepper::write_lane;
 pub use stepper::{Stepper, Trial, Verdict};
+pub use vern8::Vern8;
+pub use vern9::Vern9;
 
 /// The size of a state that there is code of its own for: that of a rigid body in quaternions.
 const RIGID: usize = 13;
@@ -66,6 +70,11 @@ pub trait System<T> {
                 by_state.fill(T::lit(f64::NAN));
             },
         );
+    }
+    /// The same but for the components before [`System::first_read`], which may stay as they are.
+    #[inline(always)]
+    fn derivative_read(&self, t: T, y: &[T], dy: &mut [T]) {
+        self.derivative(t, y, dy);
     }
     /// The first component that [`System::derivative`] reads: those before it are quadratures.
     #[inline(always)]

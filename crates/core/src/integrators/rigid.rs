@@ -4,7 +4,7 @@
 
 use super::stepper::TrialStep;
 use super::sums::added;
-use super::{Method, RIGID, Solve, Stage, Stepper, System};
+use super::{Method, RIGID, Row, Solve, Stage, Stepper, System};
 use crate::scalar::Lane;
 use std::marker::PhantomData;
 
@@ -13,13 +13,56 @@ pub(super) const POSITION: usize = 3;
 /// What stages are evaluated for.
 const READ: usize = RIGID - POSITION;
 /// The largest number of stages.
-const MOST: usize = 12;
+const MOST: usize = 15;
 
 /// Stage `I` of a method, if it has so many.
 struct At<M, const I: usize>(PhantomData<M>);
 
 impl<M: Method, const I: usize> At<M, I> {
     const STAGE: Option<&'static Stage> = if I < M::STAGES.len() { Some(&M::STAGES[I]) } else { None };
+    /// Whether anything but other stages is made of it: its quadratures count then.
+    const COUNTS: bool = counts::<M>(I);
+}
+
+const fn counts<M: Method>(stage: usize) -> bool {
+    let cubic = match M::DENSE_CUBIC {
+        Some([second, third]) => has(second, stage) || has(third, stage),
+        None => false,
+    };
+    let beyond = match M::ERROR_BEYOND_CHANGE {
+        Some(row) => has(row, stage),
+        None => false,
+    };
+    let mut dense = false;
+    let mut i = 0;
+    while i < M::DENSE_STAGES.len() {
+        dense = dense || has(M::DENSE_STAGES[i].a, stage);
+        i += 1;
+    }
+    let rows = have(M::ERROR, stage) || have(M::DENSE, stage);
+    has(M::WEIGHTS, stage) || rows || beyond || cubic || dense
+}
+
+const fn have(rows: &[Row], stage: usize) -> bool {
+    let mut i = 0;
+    while i < rows.len() {
+        if has(rows[i], stage) {
+            return true;
+        }
+        i += 1;
+    }
+    false
+}
+
+const fn has(row: Row, stage: usize) -> bool {
+    let mut i = 0;
+    while i < row.len() {
+        if row[i].0 == stage {
+            return true;
+        }
+        i += 1;
+    }
+    false
 }
 
 /// What a stage is made of.
@@ -53,6 +96,9 @@ impl<T: Lane, M: Method> Stepper<T, M> {
         room.stage::<M, S, 9>(system);
         room.stage::<M, S, 10>(system);
         room.stage::<M, S, 11>(system);
+        room.stage::<M, S, 12>(system);
+        room.stage::<M, S, 13>(system);
+        room.stage::<M, S, 14>(system);
         self.evaluations += M::STAGES.len() as u64 - 1;
     }
 }
@@ -76,6 +122,10 @@ impl<T: Lane> Room<'_, T> {
         );
         self.at[POSITION..].copy_from_slice(&sum);
         let time = if stage.c == 1.0 { self.t_before } else { T::lit(stage.c).fma(self.h, self.t) };
-        system.derivative(time, &self.at[..], &mut self.k[I]);
+        if At::<M, I>::COUNTS {
+            system.derivative(time, &self.at[..], &mut self.k[I]);
+        } else {
+            system.derivative_read(time, &self.at[..], &mut self.k[I]);
+        }
     }
 }

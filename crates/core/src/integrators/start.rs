@@ -126,7 +126,7 @@ impl<T: Lane, M: Method> Stepper<T, M> {
         }
         let d2 = self.norm(system, &self.scratch[stride..]) / h0;
 
-        let exponent = 1.0 / (M::ERROR_ORDER + 1) as f64;
+        let exponent = 1.0 / M::ORDER as f64;
         let d = d1.max(d2);
         let ratio = T::lit(0.01) / d.max(T::lit(1e-15)).min(T::lit(1e200));
         let curved = power(ratio, exponent);

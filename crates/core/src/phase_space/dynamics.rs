@@ -42,18 +42,10 @@ impl<T: Real> Dynamics<T> for FreeBody<T> {
         {
             return;
         }
+        if let Some(acting) = self.plain_forces() {
+            return self.straight_rate::<true>(&acting.usual, t, x, u, dx);
+        }
         // Each in code of its own: what the longer ones need on the stack costs the shorter ones time.
-        if self.is_plain()
-            && let (Some(x), Some(dx)) = (x.first_chunk(), dx.first_chunk_mut())
-        {
-            return T::call(
-                #[inline(always)]
-                || self.plain_rate(x, u, dx),
-            );
-        }
-        if self.write_lawful_rate(t, x, u, dx) {
-            return;
-        }
         let sizes = self.sizes();
         if self.left.is_some() {
             T::call(

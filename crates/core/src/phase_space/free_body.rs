@@ -75,7 +75,7 @@ impl<T: Real> FreeBody<T> {
 
     /// All traced forces as one, if they are.
     #[inline(always)]
-    fn law(&self) -> Option<&Traced<T>> {
+    pub(super) fn law(&self) -> Option<&Traced<T>> {
         self.acting.as_ref().and_then(
             #[inline(always)]
             |acting| acting.law.as_ref(),
@@ -104,10 +104,13 @@ impl<T: Real> FreeBody<T> {
             }
             None => s,
         };
-        let sum = self.sum(&s, rates);
         match self.law() {
-            Some(law) => sum + law.about_com(&s, rates),
-            None => sum,
+            // The law first: it needs all registers.
+            Some(law) => {
+                let wrench = law.about_com(&s, rates);
+                self.sum(&s, rates) + wrench
+            }
+            None => self.sum(&s, rates),
         }
     }
 
@@ -196,6 +199,21 @@ impl<T: Real> FreeBody<T> {
                 origin_acceleration(rotation, twist, rate).store(dx.velocity);
                 at.write_second_rates(twist.angular, rate.angular, x.turning, dx.turning);
             }
+        }
+    }
+
+    /// Takes the parameters of the body that this one is a [`FreeBody::map`] of, passed through `f`.
+    ///
+    /// Where there is no more than the usual forces, only their numbers are written: a whole body is some thousand
+    /// bytes in lanes, and every run begins with one.
+    #[inline(always)]
+    pub(crate) fn take_parameters<S: Real>(&mut self, original: &FreeBody<S>, f: &mut impl FnMut(S) -> T) {
+        match (&mut self.acting, &original.acting) {
+            (Some(own), Some(acting)) if original.is_plain() => {
+                self.inertia = original.inertia.map(f);
+                own.usual = acting.usual.map(f, &self.inertia);
+            }
+            _ => *self = original.map(f),
         }
     }
 

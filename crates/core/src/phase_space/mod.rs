@@ -18,7 +18,8 @@ pub(crate) use jacobian::{ClosedJacobian, Entries};
 pub(crate) use laws::elsewhere;
 pub use left::{Contents, Left, Spin};
 pub use parameters::BODY_PARAMETERS;
-pub(crate) use pattern::{PLACES, STATES, VARYING};
+pub use pattern::STATES;
+pub(crate) use pattern::{PLACES, VARYING};
 pub use state::RigidState;
 
 use crate::algebra::Vec3;

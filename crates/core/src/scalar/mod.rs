@@ -41,6 +41,22 @@ pub use table::{Interpolation, Table, TableError};
 use std::fmt::Debug;
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
+/// Registers that machine code works on, with fused products.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Machine {
+    /// Two numbers.
+    Xmm,
+    /// Four.
+    Ymm,
+    /// Eight, with the instructions of AVX-512.
+    Zmm,
+}
+
+impl Machine {
+    /// How many kinds there are.
+    pub const COUNT: usize = 3;
+}
+
 /// A real number, or anything that obeys the same algebra.
 pub trait Real:
     Copy
@@ -54,6 +70,9 @@ pub trait Real:
     + Div<Output = Self>
     + Neg<Output = Self>
 {
+    /// The registers of the machine that a value fills as it stands in memory, where programs can be machine code.
+    const MACHINE: Option<Machine> = None;
+
     /// A constant: the same in all lanes, with zero derivative.
     fn lit(x: f64) -> Self;
     /// `self * a + b`, fused to one rounding where the instruction set has it.

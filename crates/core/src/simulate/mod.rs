@@ -9,7 +9,7 @@ mod samples;
 pub use inputs::Inputs;
 pub use motion::Motion;
 
-use crate::integrators::{Dop853, Dp54, Gauss6, Rk4, Rodas5P, Tolerance};
+use crate::integrators::{Dop853, Dp54, Gauss6, Rk4, Rodas5P, Tolerance, Vern8, Vern9};
 use crate::phase_space::FreeBody;
 use crate::scalar::isa::{Isa, with_scalar};
 use crate::watch::{Occurrence, Watched};
@@ -36,6 +36,10 @@ pub enum MethodName {
     Dp54,
     /// Dormand–Prince 8(5, 3), adaptive.
     Dop853,
+    /// Verner 8(7), adaptive.
+    Vern8,
+    /// Verner 9(8), adaptive.
+    Vern9,
     /// Rosenbrock–Wanner of order 5(4) for stiff systems, adaptive.
     Rodas,
     /// Gauss collocation of order 6, fixed step.
@@ -131,6 +135,8 @@ pub fn simulate(body: &FreeBody<f64>, task: &Task<'_>, progress: &mut dyn FnMut(
         MethodName::Rk4 => run::run::<T, Rk4>(body, task, progress),
         MethodName::Dp54 => run::run::<T, Dp54>(body, task, progress),
         MethodName::Dop853 => run::run::<T, Dop853>(body, task, progress),
+        MethodName::Vern8 => run::run::<T, Vern8>(body, task, progress),
+        MethodName::Vern9 => run::run::<T, Vern9>(body, task, progress),
         MethodName::Rodas => run::run::<T, Rodas5P>(body, task, progress),
         MethodName::Gauss => run::run::<T, Gauss6>(body, task, progress),
     })

@@ -26,8 +26,8 @@ pub struct Motion<'a, T> {
     duals: OnceCell<FreeBody<Dual<T, 1>>>,
     blocks: Vec<Block>,
     first_read: usize,
-    /// The forces under constant inputs on a body that [`FreeBody::plain_rate_under`] knows.
-    plain: Option<Usual<T>>,
+    /// The usual forces under constant inputs on a body that [`FreeBody::straight_rate`] knows.
+    straight: Option<Usual<T>>,
 }
 
 impl<'a, T: Lane> Motion<'a, T> {
@@ -51,7 +51,7 @@ impl<'a, T: Lane> Motion<'a, T> {
             duals: OnceCell::new(),
             blocks: Dynamics::<f64>::error_blocks(body),
             first_read: if body.reads_position() { 0 } else { 3 },
-            plain: None,
+            straight: None,
         };
         made.settle();
         made
@@ -59,9 +59,9 @@ impl<'a, T: Lane> Motion<'a, T> {
 
     /// Puts together what does not change any more; what compiled derivatives do is not known.
     fn settle(&mut self) {
-        let plain = self.original.is_plain() && self.body.compiled.is_none() && self.tables.is_empty();
-        self.plain = match &self.body.acting {
-            Some(acting) if plain => T::call(
+        let settled = self.body.compiled.is_none() && self.tables.is_empty();
+        self.straight = match self.body.plain_forces() {
+            Some(acting) if settled => T::call(
                 #[inline(always)]
                 || Some(acting.usual.with_constant(&self.constants)),
             ),
@@ -115,7 +115,7 @@ impl<'a, T: Lane> Motion<'a, T> {
                     #[inline(always)]
                     |_| *all.next().expect("as many as the body has"),
                 );
-                self.body = self.original.map(&mut next);
+                self.body.take_parameters(self.original, &mut next);
                 self.duals = OnceCell::new();
             },
         );
@@ -154,11 +154,8 @@ impl<T: Lane> System<T> for Motion<'_, T> {
 
     #[inline(always)]
     fn derivative(&self, t: T, y: &[T], dy: &mut [T]) {
-        if let (Some(usual), Some(y), Some(dy)) = (&self.plain, y.first_chunk(), dy.first_chunk_mut()) {
-            return T::call(
-                #[inline(always)]
-                || self.body.plain_rate_under(usual, y, &[], dy),
-            );
+        if let Some(usual) = &self.straight {
+            return self.body.straight_rate::<true>(usual, t, y, &self.constants, dy);
         }
         if self.tables.is_empty() {
             return self.body.derivative(t, y, &self.constants, dy);
@@ -171,6 +168,14 @@ impl<T: Lane> System<T> for Motion<'_, T> {
                 self.body.derivative(t, y, u.slice(), dy);
             },
         );
+    }
+
+    #[inline(always)]
+    fn derivative_read(&self, t: T, y: &[T], dy: &mut [T]) {
+        match &self.straight {
+            Some(usual) => self.body.straight_rate::<false>(usual, t, y, &self.constants, dy),
+            None => self.derivative(t, y, dy),
+        }
     }
 
     fn jacobian(&self, t: T, y: &[T], by_time: &mut [T], by_state: &mut [T]) {

@@ -11,8 +11,10 @@ use crate::scalar::{Interpolation, Table};
 use crate::screw::Screw;
 use crate::simulate::{Ending, Inputs, MethodName, Run, Task, simulate};
 
-pub const METHODS: [MethodName; 5] =
-    [MethodName::Rk4, MethodName::Dp54, MethodName::Dop853, MethodName::Rodas, MethodName::Gauss];
+pub const METHODS: [MethodName; 7] = {
+    use MethodName::{Dop853, Dp54, Gauss, Rk4, Rodas, Vern8, Vern9};
+    [Rk4, Dp54, Dop853, Vern8, Vern9, Rodas, Gauss]
+};
 
 fn none() -> Inputs {
     Inputs::constant(Vec::new())

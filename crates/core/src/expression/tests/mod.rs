@@ -7,6 +7,8 @@ mod enter;
 mod fingerprint;
 mod folding;
 mod forms;
+#[cfg(target_arch = "x86_64")]
+mod native;
 mod print;
 mod program;
 mod recipe;

@@ -1,7 +1,7 @@
 //! Each method has the order that it states.
 
 use super::{Kepler, LOOSE, advance, begin, distance, equal_steps, slope};
-use crate::integrators::{Dop853, Dp54, Gauss6, Method, Rk4, Rodas5P};
+use crate::integrators::{Dop853, Dp54, Gauss6, Method, Rk4, Rodas5P, Vern8, Vern9};
 
 const E: f64 = 0.3;
 
@@ -36,6 +36,16 @@ fn order_dp54() {
 #[test]
 fn order_dop853() {
     order::<Dop853>(&[30, 40, 60, 80, 120], 0.5);
+}
+
+#[test]
+fn order_vern8() {
+    order::<Vern8>(&[20, 30, 40, 60, 80], 0.5);
+}
+
+#[test]
+fn order_vern9() {
+    order::<Vern9>(&[20, 25, 30, 40, 50], 0.8);
 }
 
 #[test]
@@ -87,6 +97,16 @@ fn dense_order_dop853() {
 }
 
 #[test]
+fn dense_order_vern8() {
+    dense_order::<Vern8>(&[0.25, 0.2, 0.15, 0.1], 0.5);
+}
+
+#[test]
+fn dense_order_vern9() {
+    dense_order::<Vern9>(&[0.4, 0.3, 0.25, 0.2], 0.9);
+}
+
+#[test]
 fn dense_order_rodas5p() {
     dense_order::<Rodas5P>(&[0.2, 0.1, 0.05, 0.025], 0.3);
 }
@@ -126,5 +146,7 @@ fn dense_output_is_smooth() {
     dense_ends::<Rk4>();
     dense_ends::<Dp54>();
     dense_ends::<Dop853>();
+    dense_ends::<Vern8>();
+    dense_ends::<Vern9>();
     dense_ends::<Gauss6>();
 }

@@ -6,7 +6,7 @@ use std::arch::aarch64::*;
 
 register! {
     /// Two lanes, NEON with fused products: every 64-bit ARM processor.
-    Neon(float64x2_t), 2, "neon", crate::scalar::Fused;
+    Neon(float64x2_t), 2, "neon", crate::scalar::Fused, None;
     splat(x) = vdupq_n_f64(x);
     load(p) = vld1q_f64(p);
     store(p, v) = vst1q_f64(p, v);

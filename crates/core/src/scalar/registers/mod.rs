@@ -2,7 +2,7 @@
 
 /// Defines one register type: its operations, [`Real`] and [`Lane`].
 macro_rules! register {
-    ($(#[$doc:meta])* $name:ident($raw:ty), $n:literal, $feature:literal, $single:ty;
+    ($(#[$doc:meta])* $name:ident($raw:ty), $n:literal, $feature:literal, $single:ty, $machine:expr;
      splat($sx:ident) = $splat:expr;
      load($lp:ident) = $load:expr;
      store($sp:ident, $sv:ident) = $store:expr;
@@ -89,6 +89,7 @@ macro_rules! register {
         }
 
         impl Real for $name {
+            const MACHINE: Option<$crate::scalar::Machine> = $machine;
             #[inline(always)]
             fn lit($sx: f64) -> Self {
                 Self(unsafe { $splat })

@@ -1,12 +1,12 @@
 //! The registers of x86-64.
 
 use crate::scalar::lanes::functions;
-use crate::scalar::{Grid, Lane, Real, Table};
+use crate::scalar::{Grid, Lane, Machine, Real, Table};
 use std::arch::x86_64::*;
 
 register! {
     /// Eight lanes, AVX-512.
-    Avx512(__m512d), 8, "avx512f,avx512dq,avx512vl,avx512bw,avx2,fma,bmi2", Fused512;
+    Avx512(__m512d), 8, "avx512f,avx512dq,avx512vl,avx512bw,avx2,fma,bmi2", Fused512, Some(Machine::Zmm);
     splat(x) = _mm512_set1_pd(x);
     load(p) = _mm512_loadu_pd(p);
     store(p, v) = _mm512_storeu_pd(p, v);
@@ -27,7 +27,7 @@ register! {
 
 register! {
     /// Four lanes, AVX2 with fused products.
-    Avx2(__m256d), 4, "avx2,fma,bmi2", Fused;
+    Avx2(__m256d), 4, "avx2,fma,bmi2", Fused, Some(Machine::Ymm);
     splat(x) = _mm256_set1_pd(x);
     load(p) = _mm256_loadu_pd(p);
     store(p, v) = _mm256_storeu_pd(p, v);
@@ -53,7 +53,7 @@ macro_rules! single {
     ($(#[$doc:meta])* $name:ident, $feature:literal) => {
         register! {
             $(#[$doc])*
-            $name(__m128d), 1, $feature, Self;
+            $name(__m128d), 1, $feature, Self, Some(Machine::Xmm);
             splat(x) = _mm_set1_pd(x);
             load(p) = _mm_load1_pd(p);
             store(p, v) = _mm_store_sd(p, v);
@@ -82,7 +82,7 @@ single! {
 
 register! {
     /// Two lanes, SSE2: every x86-64 processor. Products and sums are rounded one by one.
-    Sse2(__m128d), 2, "sse2", f64;
+    Sse2(__m128d), 2, "sse2", f64, None;
     splat(x) = _mm_set1_pd(x);
     load(p) = _mm_loadu_pd(p);
     store(p, v) = _mm_storeu_pd(p, v);

@@ -12,6 +12,16 @@ use crate::tests::simulate::{METHODS, ball, run, task};
 use crate::watch::{Crossing, Take, Watched};
 use std::f64::consts::PI;
 
+/// How many times the roundings of numbers of the order of one a method makes: the stages of Rodas5P are sums of numbers
+/// ten times as large, which cancel; those of Vern8 a hundred times, and its weights are beyond thirty.
+fn cancels(method: MethodName) -> f64 {
+    match method {
+        MethodName::Rodas => 10.0,
+        MethodName::Vern8 => 1000.0,
+        _ => 1.0,
+    }
+}
+
 /// A thrown body: the methods are exact for it, so that times are right to a few roundings.
 #[test]
 fn apex_and_impact_of_a_throw() {
@@ -40,10 +50,10 @@ fn apex_and_impact_of_a_throw() {
         assert_eq!(seen, [0, 1]);
         let expected = [height + speed * speed / (2.0 * G), impact, 0.0];
         for (found, expected) in result.occurrences.iter().map(|o| o.time).zip([apex, impact]) {
-            assert!((found - expected).abs() < 1e-14, "{method:?}: {found} {expected}");
+            assert!((found - expected).abs() < 1e-14 * cancels(method), "{method:?}: {found} {expected}");
         }
         for (found, expected) in result.outputs.iter().zip(expected) {
-            assert!((found - expected).abs() < 1e-13, "{method:?}: {found} {expected}");
+            assert!((found - expected).abs() < 1e-13 * cancels(method), "{method:?}: {found} {expected}");
         }
         let last = result.occurrences.last().unwrap();
         assert_eq!((result.end_time, &result.end_state), (last.time, &last.state));
@@ -74,10 +84,8 @@ fn two_crossings_within_a_step_are_found() {
             assert_eq!(result.ending, Ending::ReachedEnd, "{method:?}");
             let seen: Vec<usize> = result.occurrences.iter().map(|o| o.event).collect();
             assert_eq!(seen, [0, 0, 1], "{method:?} {hair}");
-            // Roundings of the height, of the order of 1e-15, over the speed there; the stages of Rodas5P are sums of
-            // numbers ten times as large, which cancel.
-            let more = if method == MethodName::Rodas { 10.0 } else { 1.0 };
-            let allowed = more * (1e-14 + 2e-15 / (G * gap));
+            // Roundings of the height, of the order of 1e-15, over the speed there.
+            let allowed = cancels(method) * (1e-14 + 2e-15 / (G * gap));
             for (o, time) in result.occurrences.iter().zip([apex - gap, apex + gap, apex + gap]) {
                 assert!((o.time - time).abs() < allowed, "{method:?} {hair}: {} {time}", o.time);
             }
@@ -100,7 +108,7 @@ fn an_event_at_the_start_does_not_count() {
         let plain = task(&x0, &inputs, method);
         let result = run(&body, &Task { watched: Some(&watched), ..plain });
         assert_eq!((result.ending, result.occurrences.len()), (Ending::Event(2), 1), "{method:?}");
-        assert!((result.end_time - 2.0 * speed / G).abs() < 1e-14, "{method:?}");
+        assert!((result.end_time - 2.0 * speed / G).abs() < 1e-14 * cancels(method), "{method:?}");
     }
     // The state at an event is on the new side: from there on it does not happen again.
     let plain = task(&x0, &inputs, METHODS[2]);
@@ -138,7 +146,7 @@ fn nothing_comes_after_the_end() {
         let seen: Vec<usize> = result.occurrences.iter().map(|o| o.event).collect();
         assert_eq!(seen, [2, 4, 1], "{method:?}");
         assert_eq!(result.times, times[..3]);
-        assert!((result.end_time - 0.5).abs() < 1e-14);
+        assert!((result.end_time - 0.5).abs() < 1e-14 * cancels(method));
         assert_eq!(result.outputs, [result.end_state[0], result.end_time]);
     }
 }

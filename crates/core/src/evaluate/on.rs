@@ -1,14 +1,12 @@
-//! A body made ready for this machine: f and its Jacobians at single states, on the best instruction set.
+//! f and its Jacobians over one choice of scalars.
 
 use crate::buffer::Buffer;
 use crate::bulk::{Layout, Points, closed_jacobians, derivatives, dual_jacobians};
 use crate::forces::Usual;
 use crate::linearize;
 use crate::phase_space::parts::{Parts, Sizes};
-use crate::phase_space::{ClosedJacobian, Dynamics, Entries, FreeBody, STATES, elsewhere};
-use crate::scalar::isa::{Isa, with_lanes};
-use crate::scalar::{Block, Dual, Lane};
-use std::sync::Arc;
+use crate::phase_space::{ClosedJacobian, Dynamics, Entries, FreeBody, STATES};
+use crate::scalar::{Dual, Lane};
 
 /// Inputs up to this count are passed on the stack.
 const ON_STACK: usize = 16;
@@ -16,12 +14,16 @@ const ON_STACK: usize = 16;
 /// And up to this many of a body under the usual forces: those of one wrench.
 const PLAIN_INPUTS: usize = 6;
 
+/// Sums that are kept at the same time, so that none waits for the one before.
+const CHAINS: usize = 4;
+
 /// Directions a lane holds in one pass of a Jacobian: more make fewer passes, but long code that is no faster.
 const DIRECTIONS: usize = 1;
 
 /// f and its Jacobians over one choice of scalars.
-trait Evaluate: Send + Sync {
+pub(super) trait Evaluate: Send + Sync {
     fn derivative(&self, t: f64, x: &[f64], u: &[f64], dx: &mut [f64]);
+    fn plain_derivative(&self, x: &[f64], u: &[f64], dx: &mut [f64]) -> bool;
     fn jacobian(&self, t: f64, x: &[f64], u: &[f64], by_state: &mut [f64], by_input: &mut [f64]);
     fn derivatives(&self, points: &Points<'_>, out: &mut [f64], threads: usize);
     fn jacobians(&self, points: &Points<'_>, out: &mut [f64], threads: usize);
@@ -30,7 +32,7 @@ trait Evaluate: Send + Sync {
 }
 
 /// The body over a single number `S` for values, and over lanes `L` of directions for derivatives.
-struct On<S, L> {
+pub(super) struct On<S, L> {
     /// The forces without inputs on a body that [`FreeBody::plain_rate`] knows.
     unforced: Option<Usual<S>>,
     values: FreeBody<S>,
@@ -62,7 +64,25 @@ fn number<S: Lane>(x: S) -> f64 {
     x.get(0)
 }
 
+/// Writes the numbers that a one-number type holds.
+#[inline(always)]
+fn put<S: Lane>(rate: [S; STATES], dx: &mut [f64]) {
+    for (to, r) in dx.iter_mut().zip(rate) {
+        *to = number(r);
+    }
+}
+
 impl<S: Lane, L: Lane> On<S, L> {
+    /// Of a body.
+    pub fn new(body: &FreeBody<f64>) -> Self {
+        let (values, lanes, duals) = (body.lift(), body.lift(), body.lift());
+        let closed = ClosedJacobian::new(body).map(|form| {
+            let (dense, sparse) = (Layout::dense(&form), Layout::sparse(&form));
+            Closed { form, dense, sparse }
+        });
+        Self { unforced: unforced(&values, body.input_size()), values, lanes, duals, closed }
+    }
+
     /// The derivative under laws of users, with their states. Apart: without them all numbers have fixed places.
     #[inline(never)]
     fn with_laws<const LEFT: bool>(&self, t: f64, x: &[f64], u: &[f64], dx: &mut [f64]) {
@@ -90,27 +110,31 @@ impl<S: Lane, L: Lane> On<S, L> {
 }
 
 impl<S: Lane, L: Lane> On<S, L> {
-    /// The derivative of a body that is no more than that.
+    /// The derivative of a body that is no more than that, and zero, or NaN where a number that goes in or comes out
+    /// is not finite.
     #[inline(always)]
-    fn plain_derivative(&self, unforced: &Usual<S>, x: &[f64; STATES], u: &[f64], dx: &mut [f64]) {
+    fn plain_rate(&self, unforced: &Usual<S>, x: &[f64; STATES], u: &[f64]) -> ([S; STATES], S) {
         let mut state = [S::zero(); STATES];
         for (to, x) in state.iter_mut().zip(x) {
             *to = S::lit(*x);
         }
-        let mut rate = state;
+        let (mut rate, mut poison) = (state, [S::zero(); CHAINS]);
         // Most are asked without inputs.
         if u.iter().all(|u| u.to_bits() == 0) {
-            self.values.plain_rate_under(unforced, &state, &[], &mut rate);
+            self.values.plain_rate_under::<true>(unforced, &state, &[], &mut rate);
         } else {
             let mut input = [S::zero(); PLAIN_INPUTS];
             for (to, u) in input.iter_mut().zip(u) {
                 *to = S::lit(*u);
+                poison[0] = to.fma(S::zero(), poison[0]);
             }
             self.values.plain_rate(&state, &input, &mut rate);
         }
-        for (to, r) in dx.iter_mut().zip(rate) {
-            *to = number(r);
+        for (k, (x, r)) in state.iter().zip(&rate).enumerate() {
+            let chain = &mut poison[k % CHAINS];
+            *chain = r.fma(S::zero(), x.fma(S::zero(), *chain));
         }
+        (rate, (poison[0] + poison[1]) + (poison[2] + poison[3]))
     }
 
     /// The Jacobian by its closed form.
@@ -142,7 +166,7 @@ impl<S: Lane, L: Lane> Evaluate for On<S, L> {
         if let (Some(unforced), Some(x)) = (&self.unforced, x.first_chunk()) {
             return S::call(
                 #[inline(always)]
-                || self.plain_derivative(unforced, x, u, dx),
+                || put(self.plain_rate(unforced, x, u).0, dx),
             );
         }
         if self.values.left.is_some() {
@@ -177,6 +201,21 @@ impl<S: Lane, L: Lane> Evaluate for On<S, L> {
                 Parts::of(&rate, all).convert(Parts::of_mut(dx, sizes), number);
             },
         );
+    }
+
+    fn plain_derivative(&self, x: &[f64], u: &[f64], dx: &mut [f64]) -> bool {
+        let (Some(unforced), Some(x)) = (&self.unforced, x.first_chunk()) else { return false };
+        S::call(
+            #[inline(always)]
+            || {
+                let (rate, poison) = self.plain_rate(unforced, x, u);
+                let finite = number(poison) == 0.0;
+                if finite {
+                    put(rate, dx);
+                }
+                finite
+            },
+        )
     }
 
     fn jacobian(&self, t: f64, x: &[f64], u: &[f64], by_state: &mut [f64], by_input: &mut [f64]) {
@@ -224,70 +263,4 @@ fn unforced<S: Lane>(body: &FreeBody<S>, inputs: usize) -> Option<Usual<S>> {
         || acting.usual.with_constant(&[S::zero(); PLAIN_INPUTS]),
     );
     Some(zero)
-}
-
-/// A free body made ready for this machine.
-pub struct Evaluator {
-    /// f, if it was compiled elsewhere.
-    compiled: Option<Arc<dyn Block>>,
-    kernel: Box<dyn Evaluate>,
-}
-
-impl Evaluator {
-    /// On the best instruction set of this machine.
-    pub fn new(body: &FreeBody<f64>) -> Self {
-        Self::on(Isa::detect(), body)
-    }
-
-    /// On one of the instruction sets that this machine has, [`Isa::available`].
-    pub fn on(isa: Isa, body: &FreeBody<f64>) -> Self {
-        assert!(Isa::available().contains(&isa), "this machine has no {isa:?}");
-        with_lanes!(isa, L => {
-            let (values, lanes, duals) = (body.lift(), body.lift(), body.lift());
-            let closed = ClosedJacobian::new(body).map(|form| {
-                let (dense, sparse) = (Layout::dense(&form), Layout::sparse(&form));
-                Closed { form, dense, sparse }
-            });
-            let unforced = unforced(&values, body.input_size());
-            let kernel = On::<<L as Lane>::Single, L> { unforced, values, lanes, duals, closed };
-            let compiled = body.compiled.as_ref().map(|[block, _]| block.clone());
-            Self { compiled, kernel: Box::new(kernel) }
-        })
-    }
-
-    /// dx = f(x, u, t); the slices are as long as state and input. Konoplev (3.2)
-    pub fn derivative(&self, t: f64, x: &[f64], u: &[f64], dx: &mut [f64]) {
-        match &self.compiled {
-            Some(block) => {
-                elsewhere(&**block, t, x, u, dx);
-            }
-            None => self.kernel.derivative(t, x, u, dx),
-        }
-    }
-
-    /// ∂f/∂x and ∂f/∂u, by rows, exact. Konoplev (3.2)
-    pub fn jacobian(&self, t: f64, x: &[f64], u: &[f64], by_state: &mut [f64], by_input: &mut [f64]) {
-        self.kernel.jacobian(t, x, u, by_state, by_input);
-    }
-
-    /// f(x, u, t) of each point, by component. Konoplev (3.2)
-    pub fn derivatives(&self, points: &Points<'_>, out: &mut [f64], threads: usize) {
-        self.kernel.derivatives(points, out, threads);
-    }
-
-    /// (∂f/∂x ∂f/∂u) of each point, by rows of the matrix, each entry of all points together. Konoplev (3.2)
-    pub fn jacobians(&self, points: &Points<'_>, out: &mut [f64], threads: usize) {
-        self.kernel.jacobians(points, out, threads);
-    }
-
-    /// Rows and columns of the entries of (∂f/∂x ∂f/∂u) that can be other than zero, by rows; none if all can be, for
-    /// all that is known.
-    pub fn jacobian_entries(&self) -> Option<&[(usize, usize)]> {
-        self.kernel.jacobian_entries()
-    }
-
-    /// These entries of each point, each of all points together.
-    pub fn sparse_jacobians(&self, points: &Points<'_>, out: &mut [f64], threads: usize) {
-        self.kernel.sparse_jacobians(points, out, threads);
-    }
 }
