@@ -13,7 +13,7 @@ from way import Nothing, Way, decades, difference
 
 CHECKED = 100
 ADAPTIVE = ("dop853", "vern8", "vern9", "dp54", "rodas5p")
-ORDERS_8_AND_9 = dict.fromkeys(ADAPTIVE[:3], decades(-4, -14, 16))
+ORDERS_8_AND_9: Mapping[str, Iterable[float]] = dict.fromkeys(ADAPTIVE[:3], decades(-4, -14, 16))
 WIND = (3.0, -2.0, 0.5)
 PRESSURE_CENTRE = (-0.4, 0.1, 0.05)
 
