@@ -11,7 +11,7 @@ use super::method::{Method, Row, Stage};
 /// His thirteenth stage is left out, for only his error estimate needs it. The error is estimated by the one sum of the
 /// other stages that vanishes up to order 6; its size is chosen so that a tolerance means about what it means to
 /// [`Dop853`](super::Dop853). His continuous output has large coefficients, whose roundings it would show; this
-/// one is the polynomial whose derivative is that of the solution at both ends and at five of his stages.
+/// one is the polynomial that fits the ends, and the derivative there and at four of his stages.
 #[derive(Clone, Copy, Debug)]
 pub struct Vern8;
 
