@@ -9,19 +9,6 @@ use crate::scalar::Lane;
 use crate::simulate::{Ending, Inputs, Motion, TOO_LARGE};
 use crate::watch::Watcher;
 
-/// The largest of sizes that are kept at the same time, so that none waits for the one before.
-const CHAINS: usize = 4;
-
-/// The largest size of a component.
-#[inline(always)]
-fn largest<T: Lane>(y: &[T]) -> T {
-    let mut sizes = [T::zero(); CHAINS];
-    for (k, y) in y.iter().enumerate() {
-        sizes[k % CHAINS] = sizes[k % CHAINS].max(y.abs());
-    }
-    sizes[0].max(sizes[1]).max(sizes[2].max(sizes[3]))
-}
-
 /// Trial steps between two reports.
 const REPORT: u64 = 2048;
 
@@ -206,7 +193,11 @@ impl<'a, T: Lane, M: Method> Worker<'a, T, M> {
     /// The lanes that are at their limits, and those that have done too many steps or grown too large.
     #[inline(always)]
     fn look(&self) -> (Lanes, Lanes) {
-        let size = largest(self.stepper.y());
+        let zero = T::zero();
+        let mut size = zero;
+        for y in self.stepper.y() {
+            size = size.max(y.abs());
+        }
         let tried = self.stepper.steps() + self.stepper.rejected();
         let at_limit = Lanes::where_le(self.limit, self.stepper.t());
         let too_many = Lanes::where_le(self.most, tried);

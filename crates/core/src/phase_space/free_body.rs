@@ -202,21 +202,6 @@ impl<T: Real> FreeBody<T> {
         }
     }
 
-    /// Takes the parameters of the body that this one is a [`FreeBody::map`] of, passed through `f`.
-    ///
-    /// Where there is no more than the usual forces, only their numbers are written: a whole body is some thousand
-    /// bytes in lanes, and every run begins with one.
-    #[inline(always)]
-    pub(crate) fn take_parameters<S: Real>(&mut self, original: &FreeBody<S>, f: &mut impl FnMut(S) -> T) {
-        match (&mut self.acting, &original.acting) {
-            (Some(own), Some(acting)) if original.is_plain() => {
-                self.inertia = original.inertia.map(f);
-                own.usual = acting.usual.map(f, &self.inertia);
-            }
-            _ => *self = original.map(f),
-        }
-    }
-
     /// The same body and laws with every parameter passed through `f`; what was compiled knows none of them.
     ///
     /// Call inside [`Real::call`] of `U`.

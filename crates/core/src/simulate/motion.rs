@@ -115,7 +115,7 @@ impl<'a, T: Lane> Motion<'a, T> {
                     #[inline(always)]
                     |_| *all.next().expect("as many as the body has"),
                 );
-                self.body.take_parameters(self.original, &mut next);
+                self.body = self.original.map(&mut next);
                 self.duals = OnceCell::new();
             },
         );
