@@ -14,6 +14,8 @@ from way import Nothing, Way, decades, difference
 CHECKED = 100
 ADAPTIVE = ("dop853", "vern8", "vern9", "dp54", "rodas5p")
 ORDERS_8_AND_9: Mapping[str, Iterable[float]] = dict.fromkeys(ADAPTIVE[:3], decades(-4, -14, 16))
+# Late in a run speeds and heights are large: errors relative to them are what the whole error comes from.
+WIDER = ", atol = 10 rtol"
 WIND = (3.0, -2.0, 0.5)
 PRESSURE_CENTRE = (-0.4, 0.1, 0.05)
 
@@ -103,13 +105,14 @@ class Freebody(Nothing):
         return Way(method, statement, names, difference(truth.nominal(), lambda: final))
 
     def ensembles(self) -> Mapping[str, Iterable[float]]:
-        return ORDERS_8_AND_9
+        return {**ORDERS_8_AND_9, f"vern8{WIDER}": ORDERS_8_AND_9["vern8"]}
 
     def ensemble(self, method: str, tolerance: float, runs: int, threads: int) -> Way:
         x, bodies = case.dispersed(runs)
         properties = (bodies.mass, bodies.com.T.copy(), np.moveaxis(bodies.inertia, 2, 0).copy())
         states, constants, final = x.T.copy(), np.zeros((1, 6)), np.empty((runs, case.STATES))
-        tolerance = float(tolerance)
+        relative = float(tolerance)
+        absolute = 10 * relative if method.endswith(WIDER) else relative
 
         def run() -> None:
             final[:] = _core.run_ensemble(
@@ -123,8 +126,8 @@ class Freebody(Nothing):
                 save_at=None,
                 events=(),
                 outputs=(),
-                method=method,
-                tolerance=(tolerance, tolerance),
+                method=method.removesuffix(WIDER),
+                tolerance=(relative, absolute),
                 step=None,
                 max_steps=1_000_000,
                 threads=threads,

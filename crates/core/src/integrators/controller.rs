@@ -8,7 +8,9 @@ use std::f64::consts::{LN_2, LOG2_E};
 /// What stands for an error that is not finite: far above any that is accepted.
 pub(super) const HUGE: f64 = 1e200;
 
-const SAFETY: f64 = 0.9;
+/// The usual 0.9 lets methods of high order try every fourth step in vain where a motion quickens, as Kepler's does. For
+/// the same error at the end less of it costs nothing.
+const SAFETY: f64 = 0.85;
 const SHRINK: f64 = 0.2;
 /// By how much a step may grow.
 pub(super) const GROW: f64 = 10.0;

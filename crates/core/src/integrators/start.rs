@@ -137,15 +137,20 @@ impl<T: Lane, M: Method> Stepper<T, M> {
         T::select_le(h, span, h, span)
     }
 
-    /// The length of a vector in units of the tolerated error at the present state.
+    /// The length of a vector in units of the tolerated error at the present state, quadratures left out: one that
+    /// begins at zero, as positions do, tolerates next to nothing there, and would hold back a step that it has no
+    /// part in.
     #[inline(always)]
     fn norm<S: System<T> + ?Sized>(&self, system: &S, x: &[T]) -> T {
-        let blocks = system.error_blocks();
-        let mut sum = T::zero();
-        for block in blocks {
-            let length = squared_length(&x[block.start..block.start + block.len]);
-            sum = sum + length / self.tolerance.allowed(block, &self.y, &self.y);
+        let (mut sum, mut count) = (T::zero(), 0u32);
+        for block in system.error_blocks() {
+            let end = block.start + block.len;
+            if end > system.first_read() {
+                let length = squared_length(&x[block.start..end]);
+                sum = sum + length / self.tolerance.allowed(block, &self.y, &self.y);
+                count += 1;
+            }
         }
-        (sum * T::lit(1.0 / blocks.len().max(1) as f64)).sqrt()
+        (sum * T::lit(1.0 / f64::from(count.max(1)))).sqrt()
     }
 }

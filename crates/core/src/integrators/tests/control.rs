@@ -17,7 +17,8 @@ fn follows_tolerance<M: Method>() {
         // 1 / (1 - e)² as the acceleration there, some 80 times, and has 10 to 500 steps to add up.
         // Errors that small against the tolerance as the lower bound would be wasted work.
         assert!((1.0..1000.0).contains(&error), "tolerance {rtol}: error {error} tolerances");
-        assert!(stepper.rejected() <= 0.4 * stepper.steps(), "{} rejected", stepper.rejected());
+        // On the way to the pericentre the error of a step grows by what the aim leaves in some steps.
+        assert!(stepper.rejected() <= 0.3 * stepper.steps(), "{} of {}", stepper.rejected(), stepper.steps());
         work.push((rtol, stepper.steps()));
     }
     // The ten steps at the loosest tolerance are more than the law gives: the orbit needs them.

@@ -1,7 +1,9 @@
 //! The stages for states of the usual size are those of all others.
 
 use super::{Kepler, begin, distance, tolerance};
-use crate::integrators::{Block, Dop853, Dp54, ErrorScale, Method, RIGID, Rk4, System, Vern8, Vern9};
+use crate::integrators::{
+    Block, Dop853, Dp54, ErrorScale, Method, RIGID, Rk4, System, Tolerance, Vern8, Vern9,
+};
 use crate::scalar::Lane;
 
 /// Two orbits, an oscillator, and before them three integrals over time that nothing reads: two components of the first
@@ -34,6 +36,27 @@ impl<T: Lane> System<T> for Clockwork {
     }
     fn error_blocks(&self) -> &[Block] {
         &[Block { start: 0, len: RIGID, scale: ErrorScale::Relative }]
+    }
+}
+
+/// With this, `blocks` apart, as in a body.
+struct Apart(Clockwork);
+
+impl<T: Lane> System<T> for Apart {
+    fn size(&self) -> usize {
+        RIGID
+    }
+    fn derivative(&self, t: T, y: &[T], dy: &mut [T]) {
+        self.0.derivative(t, y, dy);
+    }
+    fn first_read(&self) -> usize {
+        self.0.first_read
+    }
+    fn error_blocks(&self) -> &[Block] {
+        &[
+            Block { start: 0, len: 3, scale: ErrorScale::Relative },
+            Block { start: 3, len: 10, scale: ErrorScale::Relative },
+        ]
     }
 }
 
@@ -82,6 +105,19 @@ fn integrals_are_whole_inside_steps() {
     is_whole_inside::<Vern9>();
     is_whole_inside::<Dp54>();
     is_whole_inside::<Rk4>();
+}
+
+/// Integrals begin at zero, where a relative tolerance allows nothing.
+#[test]
+fn integrals_do_not_hold_back_the_first_step() {
+    let first = |first_read: usize, integrals: f64| {
+        let (system, mut y) = (Apart(Clockwork { first_read }), exact(0.0));
+        y[..3].fill(integrals);
+        let tolerance = Tolerance { relative: 1e-8, absolute: 1e-12 };
+        begin::<Dop853, _>(&system, tolerance, (0.0, 2.0), &y, None).step_size()
+    };
+    assert_eq!(first(3, 0.0), first(3, 1e3));
+    assert!(first(0, 0.0) < 0.1 * first(3, 0.0), "what is read counts");
 }
 
 #[test]
