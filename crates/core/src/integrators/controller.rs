@@ -9,7 +9,7 @@ use std::f64::consts::{LN_2, LOG2_E};
 pub(super) const HUGE: f64 = 1e200;
 
 /// The usual 0.9 lets methods of high order try every fourth step in vain where a motion quickens, as Kepler's does. For
-/// the same error at the end less of it costs nothing.
+/// the same error at the end a lower one costs no more.
 const SAFETY: f64 = 0.85;
 const SHRINK: f64 = 0.2;
 /// By how much a step may grow.

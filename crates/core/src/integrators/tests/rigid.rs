@@ -39,7 +39,7 @@ impl<T: Lane> System<T> for Clockwork {
     }
 }
 
-/// With this, `blocks` apart, as in a body.
+/// The same, the error of its integrals measured apart from the rest, as that of a position.
 struct Apart(Clockwork);
 
 impl<T: Lane> System<T> for Apart {
